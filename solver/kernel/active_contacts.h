@@ -4,12 +4,6 @@
 #define HOLONOM_ACTIVE_CONTACTS_H
 
 #include "complementarity.h"
-#include "composite.h"
-#include "contact.h"
-#include "context.h"
-#include "half_step_contacts.h"
-#include "row_state.h"
-#include "step.h"
 
 enum {
     MOST_CHOICES = 60, /* solutions of a half step                                                                */

@@ -2,18 +2,9 @@
 #ifndef HOLONOM_ADVANCE_H
 #define HOLONOM_ADVANCE_H
 
-#include "contact.h"
-#include "context.h"
 #include "control.h"
-#include "energy.h"
-#include "event.h"
 #include "fault.h"
-#include "inputs_signals.h"
-#include "ledger.h"
 #include "measure.h"
-#include "predict.h"
-#include "start.h"
-#include "tangent.h"
 
 /* No polynomial through means and values from before and after a jump. */
 static void start_anew(context *c)

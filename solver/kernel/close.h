@@ -13,15 +13,9 @@
 #ifndef HOLONOM_CLOSE_H
 #define HOLONOM_CLOSE_H
 
-#include "body_turns.h"
-#include "composite.h"
-#include "context.h"
 #include "even_metric.h"
 #include "fault.h"
-#include "ledger.h"
 #include "put_back.h"
-#include "start.h"
-#include "tangent.h"
 
 enum { STAGES = 80, ROUNDS_OF_STAGE = 12, ROUNDS_OF_TRY = 200, TRIES = 20, TRIES_FOR_OTHERS = 6, MOST_LED = 2000 };
 

@@ -6,11 +6,7 @@
 #ifndef HOLONOM_COMPLEMENTARITY_H
 #define HOLONOM_COMPLEMENTARITY_H
 
-#include "contact.h"
-#include "context.h"
-#include "event.h"
 #include "half_step_contacts.h"
-#include "row_state.h"
 
 #define ROUND_OFF 1e-15  /* of a coordinate, over the size of the mechanism                                         */
 #define CONE_MARGIN 1e-9 /* part of the cone, or of a slip, beyond its limit at which a mode is kept             */

@@ -8,7 +8,6 @@
 #define HOLONOM_COMPOSITE_H
 
 #include "body_turns.h"
-#include "context.h"
 #include "forms.h"
 
 /* A form of the composite at hand, in the scratch `local`. */

@@ -8,11 +8,6 @@
 #ifndef HOLONOM_CONTACT_H
 #define HOLONOM_CONTACT_H
 
-#include "context.h"
-#include "energy.h"
-#include "inputs_signals.h"
-#include "norms.h"
-#include "row_state.h"
 #include "start.h"
 
 /* What counts as zero, relative to the scale named. */

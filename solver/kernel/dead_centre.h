@@ -4,8 +4,6 @@
 #define HOLONOM_DEAD_CENTRE_H
 
 #include "even_metric.h"
-#include "norms.h"
-#include "start.h"
 
 #define LACKING 1e-6    /* part of the second derivatives of rows that no accelerations make up for */
 #define ROUNDED 1e-10  /* of the accelerations: what rounding leaves of these derivatives */

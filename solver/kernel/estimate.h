@@ -6,13 +6,6 @@
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
-#include "body_turns.h"
-#include "composite.h"
-#include "context.h"
-#include "energy.h"
-#include "forms.h"
-#include "norms.h"
-#include "row_state.h"
 #include "step_halving.h"
 
 /* Times the mean over mechanisms, where something touches or slides: an impact, and a slip that stops, multiply errors before it. */

@@ -4,7 +4,6 @@
 #ifndef HOLONOM_EVEN_METRIC_H
 #define HOLONOM_EVEN_METRIC_H
 
-#include "context.h"
 #include "start.h"
 
 /* Multiplies masses of free nodes by squares of `factor`, or divides them. */

@@ -6,13 +6,8 @@
 #ifndef HOLONOM_EVENT_H
 #define HOLONOM_EVENT_H
 
-#include "contact.h"
 #include "contact_modes.h"
-#include "context.h"
-#include "impact.h"
 #include "short_piece.h"
-#include "step_halving.h"
-#include "velocity_projection.h"
 
 /* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
 typedef struct event_values {

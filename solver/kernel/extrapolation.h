@@ -9,17 +9,8 @@
 #ifndef HOLONOM_EXTRAPOLATION_H
 #define HOLONOM_EXTRAPOLATION_H
 
-#include "context.h"
-#include "energy.h"
 #include "half_step.h"
-#include "inputs_signals.h"
-#include "ledger.h"
-#include "norms.h"
-#include "predict.h"
 #include "put_back.h"
-#include "rigid.h"
-#include "start.h"
-#include "tangent.h"
 
 #define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 

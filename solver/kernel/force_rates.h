@@ -2,11 +2,7 @@
 #ifndef HOLONOM_FORCE_RATES_H
 #define HOLONOM_FORCE_RATES_H
 
-#include "context.h"
-#include "norms.h"
 #include "put_back.h"
-#include "start.h"
-#include "tangent.h"
 
 /* Turn of a spring's motion, and way of a damper's, over its time constant, in an explicit step. The method is stable to 5.8
    and 6.4 (Hairer, Norsett and Wanner 1993, II.10); springs that move so far shorten steps by their errors first.

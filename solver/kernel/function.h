@@ -4,8 +4,6 @@
 #define HOLONOM_FUNCTION_H
 
 #include "composite.h"
-#include "context.h"
-#include "forms.h"
 
 enum register_mode { OVER_STEP, AT_END };
 

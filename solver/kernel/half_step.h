@@ -2,10 +2,7 @@
 #ifndef HOLONOM_HALF_STEP_H
 #define HOLONOM_HALF_STEP_H
 
-#include "context.h"
 #include "inputs_signals.h"
-#include "ledger.h"
-#include "step.h"
 
 /* Laws and signals of a half step of length h; returns its parity. */
 static int begin_half(context *c, double h, int half)

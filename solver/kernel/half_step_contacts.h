@@ -5,12 +5,7 @@
 #ifndef HOLONOM_HALF_STEP_CONTACTS_H
 #define HOLONOM_HALF_STEP_CONTACTS_H
 
-#include "contact.h"
-#include "context.h"
 #include "event.h"
-#include "function.h"
-#include "inputs_signals.h"
-#include "row_state.h"
 
 #define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that counts as zero                   */
 

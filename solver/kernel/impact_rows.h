@@ -3,14 +3,8 @@
 #ifndef HOLONOM_IMPACT_ROWS_H
 #define HOLONOM_IMPACT_ROWS_H
 
-#include "composite.h"
-#include "context.h"
-#include "forms.h"
-#include "function.h"
 #include "impact_law.h"
-#include "row_state.h"
 #include "start.h"
-#include "tangent.h"
 
 /* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to the velocities. */
 HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double factor)

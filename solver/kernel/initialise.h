@@ -6,19 +6,8 @@
 #define HOLONOM_INITIALISE_H
 
 #include "close.h"
-#include "context.h"
 #include "dead_centre.h"
-#include "energy.h"
-#include "even_metric.h"
-#include "event.h"
-#include "extrapolation.h"
-#include "inputs_signals.h"
-#include "ledger.h"
-#include "norms.h"
-#include "policy_stopping.h"
-#include "start.h"
 #include "stepped.h"
-#include "tangent.h"
 
 /* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and that of d. */
 static int32_t seek_increment(context *c, double *increment, double *size)

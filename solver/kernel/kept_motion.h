@@ -2,7 +2,6 @@
 #ifndef HOLONOM_KEPT_MOTION_H
 #define HOLONOM_KEPT_MOTION_H
 
-#include "context.h"
 #include "energy.h"
 #include "rigid.h"
 

@@ -2,16 +2,7 @@
 #ifndef HOLONOM_MEASURE_H
 #define HOLONOM_MEASURE_H
 
-#include "composite.h"
 #include "contact.h"
-#include "context.h"
-#include "energy.h"
-#include "forms.h"
-#include "inputs_signals.h"
-#include "norms.h"
-#include "sampling.h"
-#include "step.h"
-#include "tangent.h"
 
 /* The states below are mapped for writing, as a step's are, and not modified. */
 HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double *state, double *work, double *phi,

@@ -4,7 +4,6 @@
 
 #include "check_tables.h"
 #include "internal.h"
-#include "model_file.h"
 
 /* Place of a table among all. */
 #define TABLE(name) ((offsetof(holonom_model, name) - offsetof(holonom_model, island_begin)) / sizeof(const int32_t *))

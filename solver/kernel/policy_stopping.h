@@ -2,10 +2,7 @@
 #ifndef HOLONOM_POLICY_STOPPING_H
 #define HOLONOM_POLICY_STOPPING_H
 
-#include "context.h"
-#include "forms.h"
 #include "learned_contraction.h"
-#include "newton_record.h"
 #include "norms.h"
 
 /* A step's error must lie far below the tolerance: what is left in momentum or constraints has one sign over

@@ -3,17 +3,8 @@
 #ifndef HOLONOM_PUT_BACK_H
 #define HOLONOM_PUT_BACK_H
 
-#include "body_turns.h"
-#include "context.h"
 #include "flight.h"
-#include "inputs_signals.h"
-#include "kept_motion.h"
-#include "ledger.h"
-#include "newton.h"
-#include "norms.h"
-#include "rigid.h"
 #include "start.h"
-#include "tangent.h"
 
 enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy */

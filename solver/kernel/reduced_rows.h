@@ -10,7 +10,6 @@
 #define HOLONOM_REDUCED_ROWS_H
 
 #include "body_turns.h"
-#include "context.h"
 #include "forms.h"
 
 /* Free entries of a form with the same unknown: the parts of links that a body carries, or one point. */

@@ -9,7 +9,6 @@
 #define HOLONOM_ROW_STATE_H
 
 #include "composite.h"
-#include "context.h"
 
 /* Multipliers are extrapolated from their last two means no farther than this many times the time between these. */
 #define FARTHEST 2.0

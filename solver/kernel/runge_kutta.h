@@ -6,15 +6,9 @@
 #ifndef HOLONOM_RUNGE_KUTTA_H
 #define HOLONOM_RUNGE_KUTTA_H
 
-#include "context.h"
 #include "force_rates.h"
 #include "half_step.h"
-#include "ledger.h"
-#include "norms.h"
-#include "put_back.h"
-#include "runge_kutta_methods.h"
 #include "stages.h"
-#include "start.h"
 
 enum { MOST_PASSES = 8 };
 #define SOFTER 1024.0           /* compliance of dependent rows in stages, over the usual: off the rows they would stop motion */

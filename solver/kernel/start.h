@@ -2,15 +2,7 @@
 #ifndef HOLONOM_START_H
 #define HOLONOM_START_H
 
-#include "composite.h"
-#include "context.h"
-#include "energy.h"
-#include "forms.h"
-#include "function.h"
 #include "inputs_signals.h"
-#include "row_state.h"
-#include "step.h"
-#include "tangent.h"
 
 static int all_finite(const double *x, int64_t n)
 {

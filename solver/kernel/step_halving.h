@@ -2,11 +2,7 @@
 #ifndef HOLONOM_STEP_HALVING_H
 #define HOLONOM_STEP_HALVING_H
 
-#include "context.h"
 #include "extrapolation.h"
-#include "half_step.h"
-#include "inputs_signals.h"
-#include "predict.h"
 #include "runge_kutta.h"
 
 /* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.

@@ -7,16 +7,6 @@
 #define HOLONOM_STEPPED_H
 
 #include "active_contacts.h"
-#include "contact_modes.h"
-#include "context.h"
-#include "energy.h"
-#include "event.h"
-#include "half_step.h"
-#include "inputs_signals.h"
-#include "ledger.h"
-#include "predict.h"
-#include "short_piece.h"
-#include "step_halving.h"
 #include "velocity_stage.h"
 
 enum { MOST_DIVISIONS = 7 }; /* of a half step that fails */

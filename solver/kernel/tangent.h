@@ -8,15 +8,9 @@
 #ifndef HOLONOM_TANGENT_H
 #define HOLONOM_TANGENT_H
 
-#include "body_turns.h"
-#include "composite.h"
 #include "cone_tangent.h"
-#include "context.h"
-#include "forms.h"
-#include "function.h"
 #include "laws.h"
 #include "reduced_rows.h"
-#include "row_state.h"
 #include "square_rows.h"
 
 static const int32_t *row_stiffness(const context *c, int32_t f, double factor, const int32_t *slot, double *value)

@@ -3,13 +3,7 @@
 #define HOLONOM_VELOCITY_PROJECTION_H
 
 #include "contact.h"
-#include "context.h"
-#include "energy.h"
-#include "ledger.h"
 #include "rigid.h"
-#include "row_state.h"
-#include "start.h"
-#include "tangent.h"
 
 /* Whether drivers or surfaces move, whose work is what a change of velocities adds to the kinetic energy and its losses. */
 static int is_driven(const context *c)

@@ -6,17 +6,7 @@
 #ifndef HOLONOM_VELOCITY_STAGE_H
 #define HOLONOM_VELOCITY_STAGE_H
 
-#include "contact.h"
-#include "context.h"
-#include "energy.h"
-#include "event.h"
 #include "half_step_contacts.h"
-#include "ledger.h"
-#include "rigid.h"
-#include "row_state.h"
-#include "start.h"
-#include "tangent.h"
-#include "velocity_projection.h"
 
 static int island_has_contact(context *c)
 {
