@@ -61,7 +61,7 @@ static void set_laws(context *c, double t, int booked)
 }
 
 /* Whether an operation has a jump or a kink. */
-static int has_sides(int32_t code)
+static int may_jump(int32_t code)
 {
     return (code >= T_SIGN && code <= T_NE) || code == T_FLOOR || code == T_CEIL || code == T_MIN || code == T_MAX || code == T_ABS ||
            code == T_MOD;
@@ -73,7 +73,7 @@ static double side_of(const int32_t *op, const double *number)
     const double a = number[op[2]], b = number[op[3]];
     if (op[0] == T_MIN || op[0] == T_MAX) return a < b;
     if (op[0] == T_ABS || op[0] == T_MOD) return op[0] == T_ABS ? a < 0.0 : floor(a / b);
-    return has_sides(op[0]) ? number[op[1]] : 0.0;
+    return may_jump(op[0]) ? number[op[1]] : 0.0;
 }
 
 /* Whether any operation of the laws has a jump or a kink. */
@@ -81,7 +81,7 @@ HM_SELDOM static int may_switch(const holonom_model *m)
 {
     const int32_t *op = m->tape + 5 * (int64_t)m->n_tape_parameters;
     int may = 0;
-    for (int32_t i = 0; i < m->n_tape_laws; i++, op += 5) may |= has_sides(op[0]);
+    for (int32_t i = 0; i < m->n_tape_laws; i++, op += 5) may |= may_jump(op[0]);
     return may;
 }
 

@@ -128,13 +128,13 @@ static hm_text *open_remarks(holonom_instance *i)
 static void begin_line(hm_text *text) { hm_say(text, "%s", text->used ? "\n" : ""); }
 
 /* Puts state and numbers aside, and takes them back. */
-static void put_aside(const holonom_instance *i)
+static void put_all_aside(const holonom_instance *i)
 {
     memcpy(i->before, i->state, sizeof(double) * (size_t)i->state_size);
     memcpy(i->before + i->state_size, i->numbers, sizeof(double) * (size_t)i->file.model.n_numbers);
 }
 
-static void take_back(const holonom_instance *i)
+static void take_all_back(const holonom_instance *i)
 {
     memcpy(i->state, i->before, sizeof(double) * (size_t)i->state_size);
     memcpy(i->numbers, i->before + i->state_size, sizeof(double) * (size_t)i->file.model.n_numbers);
@@ -245,7 +245,7 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
     const holonom_model *m = &i->file.model;
     const double step = part * i->s.head[S_STEP_SIZE];
     double *now = i->before + i->state_size;
-    put_aside(i);
+    put_all_aside(i);
     const int32_t status = holonom_begin_moving_on(m, i->numbers, i->state, i->work, POINTS * step);
     holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
     memcpy(now, i->numbers, sizeof(double) * (size_t)m->n_numbers);
@@ -258,7 +258,7 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
             if (!holonom_knows_rate(m, i->numbers, place, &known)) value[k] += weight[p] / (12.0 * step) * (i->numbers[place] - now[place]);
         }
     }
-    take_back(i);
+    take_all_back(i);
     i->measured = 0;
     return !status ? HOLONOM_DONE
                    : answer(i, HOLONOM_UNTRIED, "rates of outputs at t = %6g s: %s", i->s.head[S_TIME], hm_about_step(status));
@@ -289,7 +289,7 @@ static int32_t change_in_motion(holonom_instance *i)
     const holonom_model *m = &i->file.model;
     const int may_break = i->has_rules_of_laws || m->variable_potential || m->n_contacts;
     double gap;
-    if (may_break) put_aside(i);
+    if (may_break) put_all_aside(i);
     const int32_t pressed = holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters, &gap);
     if (!may_break) return HOLONOM_DONE;
     hm_clear(&i->message);
@@ -298,7 +298,7 @@ static int32_t change_in_motion(holonom_instance *i)
     if (!(fabs(i->s.head[S_WORK]) < INFINITY))
         hm_say(&i->message, "%swith these values a spring or potential has no finite energy", problems++ ? "\n" : "");
     if (!problems) return HOLONOM_DONE;
-    take_back(i);
+    take_all_back(i);
     return HOLONOM_REFUSED;
 }
 
@@ -564,7 +564,7 @@ static int32_t refuse_deformed(holonom_instance *i, const void *block)
     const int32_t n_rigid = m->n_form_rows + DIM * m->n_coincidences;
     double *scale = i->numbers + m->row_scale_at, most = FARTHEST_OFF;
     int32_t worst = -1;
-    put_aside(i);
+    put_all_aside(i);
     memcpy(i->state, block, sizeof(double) * (size_t)i->state_size);
     evaluate(i);
     holonom_rows(i, i->phi, i->rate);
@@ -572,7 +572,7 @@ static int32_t refuse_deformed(holonom_instance *i, const void *block)
         const double off = fabs(i->phi[row]) / scale[row];
         if (!(off <= most)) most = off, worst = row;
     }
-    take_back(i);
+    take_all_back(i);
     if (worst < 0) return HOLONOM_DONE;
     return answer(i, HOLONOM_REFUSED, "the saved state does not fit %s, by %3g of its size; save it again", text_of(i, i->file.row[worst].name),
                   most);
