@@ -36,7 +36,7 @@ HM_SELDOM static double growth_tolerance(const context *c)
 HM_SELDOM static double gap_tolerance(const context *c) { return TOUCHING * c->number[c->m->extent_at]; }
 
 /* Gap of contact i at the state. Its quantities, as those of the rates below, are evaluated before. */
-static double gap_of(const context *c, int32_t i) { return value_at_state(c, c->m->contact_row[i]); }
+static double gap_of(const context *c, int32_t i) { return value_of_function(c, c->m->contact_row[i], 0); }
 
 /* Rate of a function row, value of a velocity row at the state. */
 static double rate_of_row(const context *c, int32_t j)
