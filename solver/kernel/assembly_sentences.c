@@ -66,29 +66,21 @@ static int others_drawn(const hm_model_file *f, const double *numbers, uint32_t 
     return others;
 }
 
-int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers, int only_laws)
+int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers, enum hm_rules which)
 {
     int broken = 0;
     for (uint32_t k = 0; k < f->header->n_rules; k++) {
         const hm_rule *rule = f->rule + k;
-        if (rule->relation == IS_NOTED || (only_laws && !(rule->relation & OF_A_LAW)) || holds(rule, numbers[rule->number])) continue;
+        const int is_asked = (rule->relation == IS_NOTED) == (which == RULES_NOTED) && (which != RULES_OF_LAWS || rule->relation & OF_A_LAW);
+        if (!is_asked || holds(rule, numbers[rule->number])) continue;
         const int others = rule->relation == IS_DRAWN ? others_drawn(f, numbers, k) : 0;
         if (others < 0) continue;
-        hm_say(text, "%s%s: ", broken++ ? "\n" : "", f->text + rule->name);
+        hm_say(text, "%s%s: ", text->used ? "\n" : "", f->text + rule->name);
+        broken++;
         say_filled(text, f->text + rule->message, numbers[rule->number]);
         if (others) hm_say(text, " (also at %d more of its places)", others);
     }
     return broken;
-}
-
-void hm_noted_rules(hm_text *text, const hm_model_file *f, const double *numbers)
-{
-    for (uint32_t k = 0; k < f->header->n_rules; k++) {
-        const hm_rule *rule = f->rule + k;
-        if (rule->relation != IS_NOTED || holds(rule, numbers[rule->number])) continue;
-        hm_say(text, "%s%s: ", text->used ? "\n" : "", f->text + rule->name);
-        say_filled(text, f->text + rule->message, numbers[rule->number]);
-    }
 }
 
 void hm_say_pressed(hm_text *text, const hm_model_file *f, int32_t row, double gap, int others)

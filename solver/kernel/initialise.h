@@ -213,16 +213,9 @@ static void take_initial(context *c)
 {
     const holonom_model *m = c->m;
     const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving), driven = sizeof(double) * (size_t)(DIM * m->n_driven);
-    const size_t inputs = sizeof(double) * (size_t)m->n_inputs;
     memcpy(c->s.q, c->number + m->initial_position_at, bytes);
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
-    memcpy(c->s.inputs_before, c->s.inputs, inputs);
-    memset(c->s.inputs_slope, 0, inputs);
-    memset(c->s.inputs_bend, 0, inputs);
-    memset(c->s.inputs_third, 0, inputs);
-    memset(c->s.inputs_mean, 0, inputs);
-    memset(c->s.inputs_mean_before, 0, inputs);
-    memset(c->s.inputs_curve, 0, inputs);
+    memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
     c->s.head[S_INPUT_STEP] = c->s.head[S_INPUT_STEP_BEFORE] = 0.0;
     signals_at(c, c->t, c->s.signal);
     signal_rates_at(c, c->t, c->k.signal_rate);
@@ -278,8 +271,8 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     c.watch = watch;
     double *head = c.s.head;
     memset(head + S_KINETIC_START, 0, sizeof(double) * (S_STEP_SIZE - S_KINETIC_START));
-    memset(c.s.islands, 0, sizeof(double) * (size_t)(I_SIZE * m->n_islands));
     memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
+    memset(c.s.inputs_slope, 0, (size_t)((char *)c.s.parameters - (char *)c.s.inputs_slope)); /* of islands, too */
     if (!allows_settings(&c)) return HOLONOM_CONTACT_SETTINGS;
     take_initial(&c);
     derive_extent(&c);

@@ -293,7 +293,7 @@ static int32_t change_in_motion(holonom_instance *i)
     const int32_t pressed = holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters, &gap);
     if (!may_break) return HOLONOM_DONE;
     hm_clear(&i->message);
-    int problems = hm_broken_rules(&i->message, &i->file, i->numbers, 1);
+    int problems = hm_broken_rules(&i->message, &i->file, i->numbers, RULES_OF_LAWS);
     if (pressed >= 0) hm_say_pressed(&i->message, &i->file, pressed, gap, problems++);
     if (!(fabs(i->s.head[S_WORK]) < INFINITY))
         hm_say(&i->message, "%swith these values a spring or potential has no finite energy", problems++ ? "\n" : "");
@@ -403,7 +403,7 @@ int32_t holonom_assemble(holonom_instance *i)
     hm_work work;
     evaluate(i);
     hm_clear(message);
-    int problems = hm_broken_rules(message, &i->file, i->numbers, 0);
+    int problems = hm_broken_rules(message, &i->file, i->numbers, RULES_OF_ALL);
     const size_t end = message->used;
     hm_say(message, "%s", problems ? "\n" : "");
     if (hm_unknown_to_method(message, &i->file, i->state)) return HOLONOM_UNASSEMBLED;

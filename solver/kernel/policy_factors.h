@@ -69,14 +69,11 @@ static void judge_increment(const context *c, newton_record *r)
     r->slow = is_lean(c) && r->eta > r->floor && r->theta > (r->iteration > 0 ? LEAN_CONTRACTION : 0.5);
 }
 
-/* Half steps for which a way that has failed is left alone, after so many the last time. */
-static inline double longer_wait(double last) { return fmin(fmax(2.0 * last, 64.0), 4096.0); }
+/* Leaves a way that has failed alone for some half steps, and notes how many: each time for twice as many. */
+static inline void pause_way(double *steps, double *wait) { *steps = *wait = fmin(fmax(2.0 * *wait, 64.0), 4096.0); }
 
 /* Full factors for some half steps. */
-static void pause_lean(double *island)
-{
-    island[I_FULL_STEPS] = island[I_FULL_WAIT] = longer_wait(island[I_FULL_WAIT]);
-}
+static void pause_lean(double *island) { pause_way(island + I_FULL_STEPS, island + I_FULL_WAIT); }
 
 /* Factors of the half step before serve another of the same length, where they are dear and the mechanism moves little:
    as long as they cost no increment more than fresh ones; else they are left alone for a while, each time for twice as
@@ -109,8 +106,7 @@ static void replace_factors(context *c, newton_record *r)
 static void judge_factors(context *c, const newton_record *r, int began_with_old)
 {
     double *island = c->island;
-    if (began_with_old && r->increments > c->fresh_increments)
-        island[I_FRESH_STEPS] = island[I_FRESH_WAIT] = longer_wait(island[I_FRESH_WAIT]);
+    if (began_with_old && r->increments > c->fresh_increments) pause_way(island + I_FRESH_STEPS, island + I_FRESH_WAIT);
     if (!began_with_old) c->fresh_increments = r->increments;
     c->factors_h = r->factorised && !r->raised ? c->h : 0.0;
     c->factors_lu = c->lu;

@@ -273,7 +273,7 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
 
 int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, int said, int heard)
 {
-    if (!(said & REMARK_NUMBERS)) hm_noted_rules(text, f, numbers);
+    if (!(said & REMARK_NUMBERS)) hm_broken_rules(text, f, numbers, RULES_NOTED);
     said |= REMARK_NUMBERS;
     for (int what = REMARK_ORDER; what <= REMARK_SAMPLING; what *= 2) {
         const size_t begin = text->used;

@@ -66,11 +66,9 @@ double hm_limit_before(const hm_variable *variable, double value);
 /* Word number `value` of a String option, or NULL. */
 const char *hm_word(const hm_model_file *file, const hm_variable *variable, double value);
 
-/* Says a sentence for each rule that the numbers break, and returns how many. */
-int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, int only_laws);
-
-/* Says a sentence for each rule that is only noted and that the numbers break, behind others. */
-void hm_noted_rules(hm_text *text, const hm_model_file *file, const double *numbers);
+/* Says a sentence for each of these rules that the numbers break, behind others, and returns how many. */
+enum hm_rules { RULES_OF_ALL, RULES_OF_LAWS, RULES_NOTED }; /* the last ones are told, and refuse nothing */
+int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, enum hm_rules which);
 
 /* Says that new values would press the sides of a contact, this row, into each other by -gap; `others` is whether there are
    sentences before. */
