@@ -5,17 +5,8 @@
 #ifndef HOLONOM_CONTROL_H
 #define HOLONOM_CONTROL_H
 
-#include "context.h"
-#include "energy.h"
 #include "estimate.h"
-#include "event.h"
-#include "extrapolation.h"
-#include "norms.h"
-#include "predict.h"
-#include "put_back.h"
-#include "step_halving.h"
 #include "stepped.h"
-#include "velocity_projection.h"
 
 enum { MAX_REPEATS = 40 };
 #define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */

@@ -6,13 +6,6 @@
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
-#include "body_turns.h"
-#include "composite.h"
-#include "context.h"
-#include "energy.h"
-#include "forms.h"
-#include "norms.h"
-#include "row_state.h"
 #include "step_halving.h"
 
 /* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings, and of what strong dampers
@@ -141,12 +134,7 @@ static int estimate_error(const context *c, double h, step_error *e)
 HM_SELDOM static double velocity_defect(context *c, double h)
 {
     const holonom_model *m = c->m;
-    const double extent = c->number[m->extent_at];
-    double fastest = speed_scale(c) / c->number[m->extent_at + 1];
-    for (int32_t a = 0; a < c->n_moving; a++) {
-        const double *v = c->s.v + DIM * a, size = m->node_kind[a] ? 1.0 : extent;
-        fastest = fmax(fastest, sqrt(dot(v, v)) / size);
-    }
+    const double fastest = fmax(speed_scale(c) / c->number[m->extent_at + 1], fastest_rate(c, c->s.v));
     if (!(fastest > 0.0)) return 0.0;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
