@@ -23,11 +23,11 @@ METHOD = (
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """`count` steps of a length [s] of a model of `benchmarks.exudyn_models` or `exudyn_planar`."""
+    """`count` steps of a length [s] of a function of `benchmarks.problems` with its arguments."""
 
     key: str
     model: str
-    n: int | None
+    arguments: tuple[float, ...]
     step: float
     count: int
 

@@ -32,7 +32,7 @@ class Family:
     name: str
     text: Callable[[int], str]
     model: str | None
-    """Exudyn's."""
+    """Function of `benchmarks.problems`, for Exudyn."""
     sizes: tuple[int, ...]
     bodies: Callable[[int], int]
     first: int
@@ -44,9 +44,9 @@ FAMILIES = (
     Family(
         "planar rigid chain", partial(rigid_chain, dimension=2), "planar_chain", LINKS, int, 100
     ),
-    Family("spatial rigid chain", rigid_chain, "spatial_chain", LINKS, int, 100),
+    Family("spatial rigid chain", rigid_chain, "rigid_chain", LINKS, int, 100),
     Family("hanging chain of bars", hanging_chain, None, LINKS, int, 100),
-    Family("N-four-bar (A02)", n_four_bar, "n_four_bar", (2, 10, 40, 200), lambda n: 2 * n + 1, 10),
+    Family("N-four-bar (A02)", n_four_bar, "four_bar", (2, 10, 40, 200), lambda n: 2 * n + 1, 10),
 )
 
 COLUMNS = {
@@ -94,7 +94,7 @@ def measure(effort: Effort) -> Section:
     able = [case for case in cases if not case.repeated.failure]
     times = interleave({case.key: case.repeated.entry for case in able}, effort)
     jobs = [
-        Job(case.key, case.family.model, case.n, case.h / 2, case.repeated.solves)
+        Job(case.key, case.family.model, (case.n,), case.h / 2, case.repeated.solves)
         for case in able
         if case.family.model
     ]

@@ -19,14 +19,14 @@ LONGEST = 500
 """Internal steps of a repetition, or those of the scene's experiment."""
 GOALS = {"andrews": 12.0, "bricard": 40.0}
 """Of an inner step [µs]."""
-PEERS = {
-    "andrews": "andrews",
-    "bricard": "bricard",
-    "double_wishbone": "flat_double_wishbone",
-    "flyball_governor": "flyball_governor",
-    "heavy_top": "heavy_top",
+PEERS: dict[str, tuple[str, tuple[float, ...]]] = {
+    "andrews": ("andrews", ()),
+    "bricard": ("bricard", ()),
+    "double_wishbone": ("double_wishbone", (0.0,)),
+    "flyball_governor": ("governor", ()),
+    "heavy_top": ("heavy_top", ()),
 }
-"""Models of Exudyn that call no Python while they move."""
+"""Problems that Exudyn moves without calls of Python, and their arguments."""
 
 COLUMNS = {
     "mechanism": "mechanism",
@@ -83,7 +83,7 @@ def measure(effort: Effort) -> Section:
     }
     times = interleave(entries, effort)
     jobs = [
-        Job(name, model, None, cases[name].period / cases[name].inner, cases[name].repeated.solves)
+        Job(name, *model, cases[name].period / cases[name].inner, cases[name].repeated.solves)
         for name, model in PEERS.items()
         if not cases[name].repeated.failure
     ]

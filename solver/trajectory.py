@@ -209,10 +209,10 @@ def simulate(
     method = _method(options, inputs or {}) if by_paper else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
-    for name in options:
-        if name not in OPTIONS:
-            raise UnknownNameError(f"solver.{name}", [f"solver.{x}" for x in (*OPTIONS, *PAPER)])
     settings = {f"solver.{name}": value for name, value in options.items()}
+    for name in settings:
+        if name.removeprefix("solver.") not in OPTIONS:
+            raise UnknownNameError(name, [f"solver.{x}" for x in (*OPTIONS, *PAPER)])
     held = {name: value for name, value in (inputs or {}).items() if not changes(value)}
     for name, value in {**(parameters or {}), **held, **settings}.items():
         integrator[name] = value

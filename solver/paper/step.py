@@ -126,7 +126,7 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
         if updates and 0.5 * before < defect < before:
             remedy = "larger penalty"  # each update takes its part of what the rows miss
     text = f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows off by {defect:.1e})"
-    raise StepError(f"{text}; a {remedy} usually helps")
+    raise StepError(text + f"; a {remedy} usually helps")
 
 
 def motion(problem: Problem, method: Method, h: float, t: float = 0.0) -> Iterator[Moment]:

@@ -257,7 +257,7 @@ def test_a_wrong_argument_is_refused_with_its_rule(given: dict[str, Any], words:
 def test_a_penalty_under_which_updates_contract_too_slowly_is_to_be_larger(algorithm: str):
     # Each update leaves 1/(1 + 1e-3) of what the rows miss, whatever the step.
     given = {"formulation": "conserving-al", "algorithm": algorithm, "stop_time": 0.01}
-    with pytest.raises(StepError, match="did not converge .*; a larger penalty usually helps"):
+    with pytest.raises(StepError, match=r"did not converge .*; a larger penalty usually helps"):
         solver.simulate(scene(double_pendulum()), step_size=0.01, penalty=1e-3, **given)
 
 
