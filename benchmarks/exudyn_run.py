@@ -13,21 +13,14 @@ import sys
 from typing import Any
 
 from benchmarks import problems
-from benchmarks.effort import Effort
+from benchmarks.effort import repeated
 from benchmarks.exudyn_problem import Build
 from benchmarks.timing import Entry, interleave
 
 
 def run(request: dict[str, Any]) -> dict[str, dict[str, Any]]:
     """Time all jobs in turn."""
-    effort = Effort(
-        name="child",
-        scale=1.0,
-        repetitions=request["repetitions"],
-        budget=request["budget"],
-        largest=1,
-        steps=0,
-    )
+    effort = repeated(request["repetitions"], request["budget"])
     builds, found = {}, {}
     for job in request["jobs"]:
         build = Build(getattr(problems, job["model"])(*job["arguments"]))

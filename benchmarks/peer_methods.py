@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from benchmarks.effort import Effort
+from benchmarks.effort import Effort, repeated
 from benchmarks.problems_parts import Array, Problem
 from benchmarks.timing import Entry, interleave
 
@@ -133,7 +133,7 @@ def _measured(
             try:
                 row |= asdict(method.observe(problem, setting))
                 entry = method.entry(problem, setting)
-                seconds = _once(entry)
+                seconds = once(entry)
             except GaveUpError as reason:
                 row["remark"] = str(reason)
                 failures += 1
@@ -147,7 +147,8 @@ def _measured(
     return rows
 
 
-def _once(entry: Entry) -> float:
+def once(entry: Entry) -> float:
+    """CPU time of one run [s]."""
     entry.prepare()
     begin = time.process_time()
     entry.run()
@@ -155,10 +156,7 @@ def _once(entry: Entry) -> float:
 
 
 def _time(rows: list[Row], entries: Mapping[str, Entry], limits: Limits) -> None:
-    effort = Effort(
-        name="curves", scale=1.0, repetitions=limits.repetitions, budget=limits.budget, largest=1,
-        steps=1,
-    )  # fmt: skip
+    effort = repeated(limits.repetitions, limits.budget)
     for key, times in interleave(entries, effort).items():
         rows[int(key)] |= {"ms": 1e3 * times.minimum, "noise": times.noise}
 

@@ -21,6 +21,12 @@ class Goal:
     noise: float | None = None
     """Median over minimum of the repetitions."""
 
+    @classmethod
+    def of_row(cls, what: str, goal: float, row: Mapping[str, Value], column: str) -> Goal:
+        """Of a time [µs] of a row, which has none where a step failed."""
+        value, noise = (float(row[x]) if row.get(x) else None for x in (column, "noise"))
+        return cls(what=what, unit="µs", goal=goal, value=value, noise=noise)
+
     @property
     def verdict(self) -> str:
         """Whether the goal was met, and by which factor."""

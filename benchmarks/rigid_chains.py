@@ -10,7 +10,7 @@ from typing import Any
 
 import solver
 from benchmarks.effort import Effort
-from benchmarks.exudyn_peer import METHOD, Job, measured
+from benchmarks.exudyn_peer import METHOD, Job, beside, measured
 from benchmarks.mechanisms import start_scene
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.stepping import Repeated
@@ -74,14 +74,12 @@ FORMATS = {
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """One size of a family, and what was found at the end of its first run."""
+    """One size of a family."""
 
     family: Family
     n: int
     h: float
     repeated: Repeated
-    energy: float
-    constraint: float
 
     @property
     def key(self) -> str:
@@ -122,44 +120,21 @@ def _case(family: Family, n: int, effort: Effort) -> Case:
     h = float(integrator["solver.step_size"])
     count = effort.count(max(5, STEPS_TIMES_BODIES // family.bodies(n)), least=2)
     repeated = Repeated(integrator, h, count, WARM_UP)
-    found = (float(integrator[name]) for name in ("energy.error", "constraint.position"))
-    return Case(family, n, h, repeated, *found)
+    return Case(family, n, h, repeated)
 
 
 def _row(case: Case, times: Times | None, theirs: dict[str, Any]) -> dict[str, Value]:
-    bodies = case.family.bodies(case.n)
-    row: dict[str, Value] = {"family": case.family.name, "n": case.n, "bodies": bodies}
-    if times is None:
-        return row | {"remark": "a step failed"}
-    solve = 1e6 * times.minimum / case.repeated.solves
-    exudyn = 1e6 * theirs["step"] if theirs.get("step") else None
-    return row | {
-        "solve": solve,
-        "body": solve / bodies,
-        "exudyn": exudyn,
-        "ratio": exudyn / solve if exudyn else None,
-        "newton": case.repeated.newton_per_solve,
-        "iteration": solve / case.repeated.newton_per_solve / bodies,
-        "their_newton": theirs.get("newton"),
-        "energy": case.energy,
-        "constraint": case.constraint,
-        "noise": times.noise,
-        "remark": "some steps halved" if case.repeated.halved else "",
-    }
+    bodies, row = case.family.bodies(case.n), beside(case.repeated.row(times), theirs)
+    if times is not None:
+        row["body"] = float(row["solve"]) / bodies
+        row["iteration"] = row["body"] / float(row["newton"])
+    return {"family": case.family.name, "n": case.n, "bodies": bodies, **row}
 
 
 def _per_body(rows: list[dict[str, Value]]) -> list[Goal]:
-    return [
-        Goal(
-            what=f"inner step and body, {row['family']} N = {row['n']}",
-            unit="µs",
-            goal=PER_BODY,
-            value=float(row["body"]) if row.get("body") else None,
-            noise=float(row["noise"]) if row.get("noise") else None,
-        )
-        for row in rows
-        if row["family"] == "spatial rigid chain"
-    ]
+    text = "inner step and body, {family} N = {n}"
+    chains = [row for row in rows if row["family"] == "spatial rigid chain"]
+    return [Goal.of_row(text.format(**row), PER_BODY, row, "body") for row in chains]
 
 
 def _exponents(rows: list[dict[str, Value]]) -> list[Goal]:

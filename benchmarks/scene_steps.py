@@ -8,7 +8,7 @@ from typing import Any
 
 import solver
 from benchmarks.effort import Effort
-from benchmarks.exudyn_peer import METHOD, Job, measured
+from benchmarks.exudyn_peer import METHOD, Job, beside, measured
 from benchmarks.mechanisms import start_scene
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.stepping import Repeated
@@ -64,8 +64,6 @@ class Case:
     """Inner steps of a communication step."""
     repeated: Repeated
     entries: dict[str, Entry]
-    energy: float
-    constraint: float
 
     @property
     def communications(self) -> int:
@@ -100,7 +98,11 @@ def measure(effort: Effort) -> Section:
             f"scene's experiment, without reading outputs. {METHOD}"
         ),
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
-        goals=[_goal(row, GOALS[key]) for row in rows if (key := str(row["mechanism"])) in GOALS],
+        goals=[
+            Goal.of_row(f"inner step, {key}", GOALS[key], row, "solve")
+            for row in rows
+            if (key := str(row["mechanism"])) in GOALS
+        ],
         remarks=[*remarks, *failures],
     )
 
@@ -114,9 +116,6 @@ def _case(path: Path, effort: Effort) -> Case:
     longest = min(LONGEST, round((experiment.stop_time - experiment.start_time) / h))
     communications = max(1, effort.count(longest) // steps)
     repeated = Repeated(integrator, period / steps, communications * steps, warm_up=0)
-    energy, constraint = (
-        float(integrator[name]) for name in ("energy.error", "constraint.position")
-    )
 
     def communicate() -> None:
         for _ in range(communications):
@@ -125,39 +124,14 @@ def _case(path: Path, effort: Effort) -> Case:
     entries = {"steps": repeated.entry, "communication": Entry(communicate, repeated.entry.prepare)}
     bodies = len(scene.bodies) + sum(not point.fixed for point in scene.points.values())
     inner = 2 * steps
-    return Case(bodies, period / steps, period, inner, repeated, entries, energy, constraint)
+    return Case(bodies, period / steps, period, inner, repeated, entries)
 
 
 def _row(
     name: str, case: Case, times: dict[str, Times], theirs: dict[str, Any]
 ) -> dict[str, Value]:
-    row: dict[str, Value] = {"mechanism": name, "bodies": case.bodies, "h": 1e3 * case.h}
-    if case.repeated.failure:
-        return row | {"remark": "a step failed"}
-    steps, communication = times[f"{name} steps"], times[f"{name} communication"]
-    solve = 1e6 * steps.minimum / case.repeated.solves
-    exudyn = 1e6 * theirs["step"] if theirs.get("step") else None
-    return row | {
-        "solve": solve,
-        "exudyn": exudyn,
-        "ratio": exudyn / solve if exudyn else None,
-        "communication": 1e6 * communication.minimum / case.communications,
-        "inner": case.inner,
-        "newton": case.repeated.newton_per_solve,
-        "their_newton": theirs.get("newton"),
-        "energy": case.energy,
-        "constraint": case.constraint,
-        "noise": steps.noise,
-        "remark": "some steps halved" if case.repeated.halved else "",
-    }
-
-
-def _goal(row: dict[str, Value], goal: float) -> Goal:
-    solve, noise = row.get("solve"), row.get("noise")
-    return Goal(
-        what=f"inner step, {row['mechanism']}",
-        unit="µs",
-        goal=goal,
-        value=solve if isinstance(solve, float) else None,
-        noise=noise if isinstance(noise, float) else None,
-    )
+    row = beside(case.repeated.row(times.get(f"{name} steps")), theirs)
+    if communication := times.get(f"{name} communication"):
+        row["communication"] = 1e6 * communication.minimum / case.communications
+        row["inner"] = case.inner
+    return {"mechanism": name, "bodies": case.bodies, "h": 1e3 * case.h, **row}

@@ -67,36 +67,14 @@ def mechanisms(largest: int) -> dict[str, tuple[Content, int, float | None]]:
 
 
 def _row(name: str, case: Repeated, times: Times | None, effort: Effort) -> dict[str, Value]:
-    row: dict[str, Value] = {"mechanism": name}
-    if times is None:
-        return row | {"remark": "a step failed"}
-    points = mechanisms(effort.largest)[name][1]
-    solve = 1e6 * times.minimum / case.solves
-    return row | {
-        "solve": solve,
-        "step": 1e6 * times.minimum / case.count,
-        "node": solve / points,
-        "newton": case.newton_per_solve,
-        "noise": times.noise,
-        "remark": "some steps halved" if case.halved else "",
-    }
+    row = {"mechanism": name, **case.row(times)}
+    if times is not None:
+        row["step"] = 1e6 * times.minimum / case.count
+        row["node"] = float(row["solve"]) / mechanisms(effort.largest)[name][1]
+    return row
 
 
 def _goals(rows: list[dict[str, Value]], largest: int) -> list[Goal]:
-    goals = []
-    known = mechanisms(largest)
-    for row in rows:
-        name, goal = str(row["mechanism"]), known[str(row["mechanism"])][2]
-        if goal is None:
-            continue
-        value, noise = row.get("solve"), row.get("noise")
-        goals.append(
-            Goal(
-                what=f"inner step, {name}",
-                unit="µs",
-                goal=goal,
-                value=value if isinstance(value, float) else None,
-                noise=noise if isinstance(noise, float) else None,
-            )
-        )
-    return goals
+    goals = {name: goal for name, (_, _, goal) in mechanisms(largest).items() if goal is not None}
+    of_goals = ((str(row["mechanism"]), row) for row in rows if row["mechanism"] in goals)
+    return [Goal.of_row(f"inner step, {name}", goals[name], x, "solve") for name, x in of_goals]

@@ -30,8 +30,9 @@ from exudyn.itemInterface import (
     SensorNode,
 )
 
-from benchmarks.contact.methods import GaveUpError, Method, Setting
+from benchmarks.contact.methods import Method, Setting
 from benchmarks.contact.problems import CRANK, GRAVITY, START, Problem, Score, score, touches
+from benchmarks.peer_methods import GaveUpError
 from benchmarks.timing import Entry
 
 Kind = exu.OutputVariableType

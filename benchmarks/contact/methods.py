@@ -7,24 +7,19 @@ The same loop runs here and, for codes that have interpreters of their own, in t
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 from benchmarks.contact.problems import Problem, Score
-from benchmarks.effort import Effort
+from benchmarks.effort import repeated
+from benchmarks.peer_methods import GaveUpError, Row, once
 from benchmarks.timing import Entry, interleave
 
-Row = dict[str, Any]
 Setting = dict[str, Any]
 REPETITIONS = 5
 USUAL = 1e-3
 """A step [s] whose runs are kept, whatever they reach."""
-
-
-class GaveUpError(Exception):
-    """A code did not solve a problem with a setting; the text says why."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,10 +59,7 @@ def measured(problem: Problem, methods: Sequence[Method], limits: Limits) -> lis
             setting = row["setting"]
             entries[str(len(rows))] = method.entry(problem, setting)
             rows.append(row | {"setting": method.label(setting), "h": setting.get("h")})
-    effort = Effort(
-        name="best", scale=1.0, repetitions=REPETITIONS, budget=limits.run, largest=1, steps=1
-    )
-    for key, times in interleave(entries, effort).items():
+    for key, times in interleave(entries, repeated(REPETITIONS, limits.run)).items():
         rows[int(key)] |= {"ms": 1e3 * times.minimum, "noise": times.noise}
     return rows
 
@@ -78,7 +70,7 @@ def _family(
     for setting in settings:
         try:
             entry = method.entry(problem, setting)
-            seconds = _once(entry)
+            seconds = once(entry)
             found = method.score(problem, setting)
         except GaveUpError:
             continue
@@ -86,13 +78,6 @@ def _family(
             yield {"solver": method.name, "setting": setting, "ms": 1e3 * seconds} | asdict(found)
         if seconds > limit:
             break
-
-
-def _once(entry: Entry) -> float:
-    entry.prepare()
-    begin = time.process_time()
-    entry.run()
-    return time.process_time() - begin
 
 
 def best(rows: Sequence[Row]) -> list[Row]:

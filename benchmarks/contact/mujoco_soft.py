@@ -17,7 +17,7 @@ import mujoco
 import numpy as np
 from mujoco import rollout
 
-from benchmarks.contact.methods import GaveUpError, Method, Setting
+from benchmarks.contact.methods import Method, Setting
 from benchmarks.contact.problems import (
     CRANK,
     GRAVITY,
@@ -28,6 +28,7 @@ from benchmarks.contact.problems import (
     score,
     touches,
 )
+from benchmarks.peer_methods import GaveUpError
 from benchmarks.timing import Entry
 
 # What diverges is seen in the score; MuJoCo would write a file of it here.
