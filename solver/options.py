@@ -127,9 +127,6 @@ _TABLE = (
 OPTIONS: dict[str, Option] = {option.name: option for option in _TABLE}
 """All settings, by name."""
 
-CHOICES = {name: option.words for name, option in OPTIONS.items() if option.words}
-"""Words of the settings that choose one."""
-
 _PAPER = (
     "the core steps by conserving-al with nested updates; holonom.simulate(scene, formulation=..., "
     "algorithm=..., multiplier_update=...) runs the others by solver.paper"
