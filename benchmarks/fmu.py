@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import fmpy
 from fmpy.fmi2 import FMU2Slave
@@ -86,28 +86,15 @@ def measure(effort: Effort) -> Section:
 
 
 def _goals(steps: dict[str, Value], building: Durations, loading: Durations) -> list[Goal]:
-    above = steps["above"]
+    what = f"doStep of {INTERNAL} internal steps above the kernel, double pendulum"
     return [
-        Goal(
-            what=f"doStep of {INTERNAL} internal steps above the kernel, double pendulum",
-            unit="µs",
-            goal=OVERHEAD,
-            value=above if isinstance(above, float) else None,
-            noise=float(steps["noise"] or 0.0),
-        ),
-        Goal(
-            what="build of an FMU in a new process, CPU",
-            unit="s",
-            goal=BUILD,
-            value=building.cpu,
-            noise=building.noise,
-        ),
-        Goal(
-            what="load and first step in fmpy, after importing fmpy, CPU",
-            unit="s",
-            goal=LOAD,
-            value=loading.cpu,
-            noise=loading.noise,
+        Goal.of_row(what, OVERHEAD, steps, "above"),
+        *(
+            Goal(what=f"{what}, CPU", unit="s", goal=goal, value=times.cpu, noise=times.noise)
+            for what, goal, times in (
+                ("build of an FMU in a new process", BUILD, building),
+                ("load and first step in fmpy, after importing fmpy", LOAD, loading),
+            )
         ),
     ]
 
@@ -121,6 +108,24 @@ def _sum(parts: list[Durations]) -> Durations:
     return Durations(tuple((sum(r[0] for r in run), sum(r[1] for r in run)) for run in runs))
 
 
+def started(path: Path, folder: Path | str, description: Any, slave: type[Any]) -> Any:
+    """Slave of fmpy for an FMU, which is unpacked into a folder, at the start of its run."""
+    fmpy.extract(str(path), str(folder))
+    assert description.coSimulation is not None
+    fmu = slave(
+        guid=description.guid,
+        unzipDirectory=str(folder),
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="timed",
+    )
+    fmu.instantiate()
+    if slave is FMU2Slave:
+        fmu.setupExperiment(startTime=0.0)
+    fmu.enterInitializationMode()
+    fmu.exitInitializationMode()
+    return fmu
+
+
 class Running:
     """An instance in fmpy that repeats the same communication steps."""
 
@@ -128,18 +133,7 @@ class Running:
         description = fmpy.read_model_description(str(path))
         outputs = [v for v in description.modelVariables if v.causality == "output"]
         self.outputs = [variable.valueReference for variable in outputs]
-        fmpy.extract(str(path), str(folder))
-        assert description.coSimulation is not None
-        self.fmu = FMU2Slave(
-            guid=description.guid,
-            unzipDirectory=str(folder),
-            modelIdentifier=description.coSimulation.modelIdentifier,
-            instanceName="timed",
-        )
-        self.fmu.instantiate()
-        self.fmu.setupExperiment(startTime=0.0)
-        self.fmu.enterInitializationMode()
-        self.fmu.exitInitializationMode()
+        self.fmu = started(path, folder, description, FMU2Slave)
         self.fmu.doStep(0.0, INTERNAL * STEP)
         self._state = self.fmu.getFMUState()
 

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 import solver
@@ -130,9 +131,21 @@ def _difference(arguments: list[str], steps: int, folder: str) -> tuple[float, f
 
 def _run(arguments: list[str], folder: str) -> tuple[int, int]:
     """Implicit solves, which the process prints, and its instructions."""
-    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/counts"]
+    said, count = counted([sys.executable, *arguments], folder)
+    return int(said.split()[-1]), count
+
+
+def counted(command: Sequence[str], folder: str | Path) -> tuple[str, int]:
+    """What a process prints, and its instructions.
+
+    Raises
+    ------
+    RuntimeError
+        When they cannot be counted, with the reason.
+    """
+    tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/counts"]
     run = subprocess.run(
-        [*command, sys.executable, *arguments],
+        [*tool, *command],
         capture_output=True,
         text=True,
         check=False,
@@ -143,4 +156,4 @@ def _run(arguments: list[str], folder: str) -> tuple[int, int]:
     if run.returncode or total is None:
         reason = run.stderr.strip().rpartition("\n")[2]
         raise RuntimeError(reason or f"valgrind ended with code {run.returncode}")
-    return int(run.stdout.split()[-1]), int(total[1])
+    return run.stdout, int(total[1])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import re
 import shutil
 import subprocess
 import tempfile
@@ -19,6 +18,8 @@ from fmpy.fmi3 import FMU3Slave
 
 import solver
 from benchmarks.effort import Effort
+from benchmarks.fmu import started
+from benchmarks.instructions import counted
 from benchmarks.report import Goal, Section, Table, Value
 from build_fmu import build, sweep
 from build_fmu.platforms import SCOPES, library_scope
@@ -231,34 +232,18 @@ def _instructions(fmu: Unpacked, effort: Effort) -> float | None:
     if not shutil.which("valgrind"):
         return None
     few = effort.count(STEPS, 3)
-
-    def counted(what: str, count: int) -> int:
-        tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={fmu.folder}/counts"]
-        command = [*tool, *_command(fmu, STEP, count, 1, what, [])]
-        run = subprocess.run(command, capture_output=True, text=True, check=True)
-        total = re.search(r"Collected : (\d+)", run.stderr)
-        assert total
-        return int(total[1])
-
-    fmi, core = ((counted(what, 3 * few) - counted(what, few)) / (2 * few) for what in "da")
-    return fmi - core
+    numbers = [
+        counted(_command(fmu, STEP, count, 1, what, []), fmu.folder)[1]
+        for what in "da"
+        for count in (3 * few, few)
+    ]
+    return (numbers[0] - numbers[1] - numbers[2] + numbers[3]) / (2 * few)
 
 
 def _in_fmpy(path: Path, slave: type[Any], count: int, repetitions: int) -> float:
     """Least seconds of a doStep of fmpy's slave."""
-    description = fmpy.read_model_description(str(path))
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        fmpy.extract(str(path), folder)
-        assert description.coSimulation
-        fmu = slave(
-            guid=description.guid, unzipDirectory=folder, instanceName="timed",
-            modelIdentifier=description.coSimulation.modelIdentifier,
-        )  # fmt: skip
-        fmu.instantiate()
-        if slave is FMU2Slave:
-            fmu.setupExperiment(startTime=0.0)
-        fmu.enterInitializationMode()
-        fmu.exitInitializationMode()
+        fmu = started(path, folder, fmpy.read_model_description(str(path)), slave)
         fmu.doStep(0.0, STEP)
         state, times = fmu.getFMUState(), [k * STEP for k in range(1, count + 1)]
         least = float("inf")

@@ -164,7 +164,7 @@ class Build:
         self.model = tree.model(integrator)
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
-        self._speeds = tree.frames.rates(self._jacobian)
+        self.speeds = tree.frames.rates(self._jacobian)
         self.reset()
 
     def _jacobian(self, name: str) -> tuple[Array, Array]:
@@ -176,7 +176,7 @@ class Build:
     def reset(self) -> None:
         """Return to the start."""
         mujoco.mj_resetData(self.model, self.data)
-        self.data.qvel[:] = self._speeds
+        self.data.qvel[:] = self.speeds
         if self.problem.torque:
             name, value = self.problem.torque
             first = self.model.body(name).dofadr[0]

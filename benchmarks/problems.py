@@ -278,3 +278,10 @@ PROBLEMS: dict[str, Callable[[], Problem]] = {
     "net_30": lambda: net(30),
 }
 """By key, in the order of the page."""
+MAPS: dict[str, Callable[..., Problem]] = {
+    "chain": lambda n: point_chain(int(n)),
+    "four-bar": lambda: four_bar(2),
+    "bricard": bricard,
+    "stiff spring": elastic_pendulum,
+}
+"""Those of the stability maps, by the names of their cases."""

@@ -5,15 +5,14 @@ Runs where the package `exudyn` is, without anything of holonom.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import exudyn as exu
 import numpy as np
 
 from benchmarks.exudyn_problem import ALPHA, KINDS, TRAPEZOIDAL, Build
-from benchmarks.problems import bricard, elastic_pendulum, four_bar, point_chain
-from benchmarks.problems_parts import Problem, energies
+from benchmarks.problems import MAPS
+from benchmarks.problems_parts import energies
 from benchmarks.stability_rules import Outcome, steps, stride
 
 METHODS = {
@@ -23,12 +22,6 @@ METHODS = {
 }
 NEWTON = 50
 """Iterations of a step, at most: twice what Exudyn allows by itself."""
-PROBLEMS: dict[str, Callable[..., Problem]] = {
-    "chain": lambda n: point_chain(int(n)),
-    "four-bar": lambda: four_bar(2),
-    "bricard": bricard,
-    "stiff spring": elastic_pendulum,
-}
 
 
 class Watch:
@@ -79,7 +72,7 @@ def run(
     mechanism: str, size: list[float], method: str, h: float, case: dict[str, float]
 ) -> Outcome:
     """Take steps of h [s] until `case["stop"]`, watched on the way."""
-    build = Build(PROBLEMS[mechanism](*size))
+    build = Build(MAPS[mechanism](*size))
     watch = (ChainWatch if mechanism == "chain" else Watch)(build)
     outcome, before = Outcome(), watch.energy()
     count, taken = steps(case["stop"], h), 0

@@ -62,12 +62,11 @@ def table(rows: Sequence[dict[str, Value]]) -> Table:
 def goals(rows: Sequence[dict[str, Value]]) -> list[Goal]:
     """Our half step, whose energy is as exact as that of a pair."""
     return [
-        Goal(
-            what=f"step of 1 ms, chain of {row['points']} points in space, energy exact",
-            unit="µs",
-            goal=GOALS[int(row["points"])],  # type: ignore[arg-type]
-            value=float(row["step"]),  # type: ignore[arg-type]
-            noise=float(row["noise"]),  # type: ignore[arg-type]
+        Goal.of_row(
+            f"step of 1 ms, chain of {row['points']} points in space, energy exact",
+            GOALS[int(row["points"])],  # type: ignore[arg-type]
+            row,
+            "step",
         )
         for row in rows
         if str(row["solver"]).startswith("holonom, half step")

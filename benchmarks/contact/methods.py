@@ -18,8 +18,16 @@ from benchmarks.timing import Entry, interleave
 
 Setting = dict[str, Any]
 REPETITIONS = 5
+STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8)
+PHASES = (0.6, 0.2, 0.06, 0.02)
+"""Step times √(k/m), of a soft contact's oscillation: π/phase steps a contact."""
 USUAL = 1e-3
 """A step [s] whose runs are kept, whatever they reach."""
+
+
+def steps(problem: Problem) -> list[float]:
+    """Steps of codes with soft contacts, from coarse to fine [s]."""
+    return [h for h in STEPS if h <= (1e-4 if problem.kind == "slider_crank" else 1e-2)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
