@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import math
 import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.effort import Effort
-from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.report import Goal, Section, Table, Value, exponent
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +91,7 @@ def _goals(kind: Kind, rows: list[dict[str, Value]], effort: Effort) -> list[Goa
     return [
         Goal(
             what=f"p in {what} {span}", unit="1", goal=LINEAR,
-            value=_exponent(mine, largest, column),
+            value=exponent(mine, (FIRST_OF_FIT, largest), column),
         )
         for what, column in found.items()
     ]  # fmt: skip
@@ -130,16 +129,3 @@ def _row(kind: Kind, facts: dict[str, Value]) -> dict[str, Value]:
     row["start"] = float(facts.get("read") or 0) + float(facts.get("assemble") or 0) or None
     row["remark"] = "see below" if facts["failure"] else ""
     return row
-
-
-def _exponent(rows: list[dict[str, Value]], largest: int, column: str) -> float | None:
-    """Slope between the chain of 100 parts and the longest; None when either was not measured."""
-    points = [
-        (math.log(float(row["n"] or 0)), math.log(float(value)))
-        for row in rows
-        if row["n"] in (FIRST_OF_FIT, largest) and (value := row.get(column)) is not None
-    ]
-    if len(points) != 2:
-        return None
-    (small, first), (large, last) = points
-    return (last - first) / (large - small)

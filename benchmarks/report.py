@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields, replace
 
@@ -61,6 +62,15 @@ class Section:
     goals: Sequence[Goal] = ()
     remarks: Sequence[str] = ()
     picture: str | None = None
+
+
+def exponent(rows: Sequence[Mapping[str, Value]], ends: Sequence[int], column: str) -> float | None:
+    """P of a column ~ n^p between rows of two sizes; None where it was not measured at both."""
+    found = {row["n"]: float(row[column]) for row in rows if row["n"] in ends and row.get(column)}
+    if len(found) != 2:
+        return None
+    (small, first), (large, last) = found.items()
+    return math.log(last / first) / math.log(float(large) / float(small))
 
 
 def as_json(machine: Mapping[str, Value], effort: str, sections: Sequence[Section]) -> str:

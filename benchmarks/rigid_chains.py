@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -12,7 +11,7 @@ import solver
 from benchmarks.effort import Effort
 from benchmarks.exudyn_peer import METHOD, Job, beside, measured
 from benchmarks.mechanisms import start_scene
-from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.report import Goal, Section, Table, Value, exponent
 from benchmarks.stepping import Repeated
 from benchmarks.timing import Times, interleave
 from scenes.generate import hanging_chain, n_four_bar, rigid_chain
@@ -140,10 +139,10 @@ def _per_body(rows: list[dict[str, Value]]) -> list[Goal]:
 def _exponents(rows: list[dict[str, Value]]) -> list[Goal]:
     goals = []
     for family in FAMILIES:
-        ends, exponent = _exponent(rows, family, "solve")
+        ends, power = _exponent(rows, family, "solve")
         if len(ends) == 2:
             what = f"p in cost of a step ~ N^p, N = {ends[0]} to {ends[1]}, {family.name}"
-            goals.append(Goal(what=what, unit="1", goal=LINEAR, value=exponent))
+            goals.append(Goal(what=what, unit="1", goal=LINEAR, value=power))
     return goals
 
 
@@ -156,10 +155,7 @@ def _exponent(
     rows: list[dict[str, Value]], family: Family, column: str
 ) -> tuple[list[int], float | None]:
     """Sizes between which the exponent is taken, and the exponent, None if not measured."""
-    mine = {int(row["n"]): row for row in rows if row["family"] == family.name}
-    sizes = [n for n in mine if n >= family.first]
+    mine = [row for row in rows if row["family"] == family.name]
+    sizes = [int(row["n"]) for row in mine if int(row["n"]) >= family.first]
     ends = [sizes[0], sizes[-1]] if len(sizes) > 1 else []
-    times = [value for n in ends if (value := mine[n].get(column))]
-    if len(times) != 2:
-        return ends, None
-    return ends, math.log(float(times[1]) / float(times[0])) / math.log(ends[1] / ends[0])
+    return ends, exponent(mine, ends, column)

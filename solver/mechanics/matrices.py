@@ -338,11 +338,8 @@ class Matrices:
         change = self.energies(q)[0].sum() - self._energy_start + stored
         sizes = head["energy_reference"], 0.5 * float(v @ self.M @ v), abs(float(change))
         head["energy_reference"] = max(sizes)
-        head["mean_time_before"], head["mean_time"], head["time"] = (
-            head["mean_time"],
-            head["time"],
-            t,
-        )
+        head["mean_time_before"], head["mean_time"] = head["mean_time"], head["time"]
+        head["time"] = t
         state["mean_before"][:] = state["mean"]
         state["mean"][:] = 0.5 * (state["mu_first"] + mu)
         state["q"][:], state["v"][:], state["mu_first"][:] = q, v, mu
