@@ -34,24 +34,19 @@ FIRST_OF_FIT = 100
 
 COLUMNS = {
     "what": "chain of",
-    "n": "N",
-    "step": "µs per half step",
-    "node": "µs per half step and part",
-    "newton": "Newton iterations",
-    "energy": "energy.error",
-    "constraint": "constraint.position",
-    "noise": "noise",
-    "read": "read, s",
-    "assemble": "assemble, s",
-    "kernel": "kernel, bytes per part",
-    "peak": "process, bytes per part",
+    "n": ("N", ".0f"),
+    "step": ("µs per half step", ".4g"),
+    "node": ("µs per half step and part", ".3f"),
+    "newton": ("Newton iterations", ".1f"),
+    "energy": ("energy.error", ".1e"),
+    "constraint": ("constraint.position", ".1e"),
+    "noise": ("noise", ".2f"),
+    "read": ("read, s", ".2f"),
+    "assemble": ("assemble, s", ".2f"),
+    "kernel": ("kernel, bytes per part", ".0f"),
+    "peak": ("process, bytes per part", ".0f"),
     "remark": "",
 }
-FORMATS = {
-    "n": ".0f", "step": ".4g", "node": ".3f", "newton": ".1f", "noise": ".2f",
-    "energy": ".1e", "constraint": ".1e",
-    "read": ".2f", "assemble": ".2f", "kernel": ".0f", "peak": ".0f",
-}  # fmt: skip
 
 
 def measure(effort: Effort) -> Section:
@@ -67,7 +62,7 @@ def measure(effort: Effort) -> Section:
             "kernel works on; *process* is the growth of the largest memory of the process, with "
             "Python's objects."
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         goals=[goal for kind in KINDS for goal in _goals(kind, rows, effort)],
         remarks=[
             f"{row['what']}, N = {row['n']}: {row['failure']}" for row in rows if row["failure"]

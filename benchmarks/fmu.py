@@ -33,20 +33,20 @@ OVERHEAD, BUILD, LOAD = 15.0, 1.5, 0.3
 
 COLUMNS = {
     "scene": "scene",
-    "step": "doStep, µs",
-    "library": "Integrator.advance, µs",
-    "kernel": "kernel alone, µs",
-    "above": "doStep above the kernel, µs",
-    "outputs": "number of outputs",
-    "read": "getReal of all outputs, µs",
-    "noise": "noise of doStep",
+    "step": ("doStep, µs", ".1f"),
+    "library": ("Integrator.advance, µs", ".1f"),
+    "kernel": ("kernel alone, µs", ".1f"),
+    "above": ("doStep above the kernel, µs", ".1f"),
+    "outputs": ("number of outputs", ".0f"),
+    "read": ("getReal of all outputs, µs", ".1f"),
+    "noise": ("noise of doStep", ".2f"),
 }
-FORMATS = dict.fromkeys(("step", "library", "kernel", "above", "read"), ".1f") | {
-    "outputs": ".0f",
-    "noise": ".2f",
+PART_COLUMNS = {
+    "part": "part",
+    "cpu": ("CPU, s", ".3f"),
+    "wall": ("wall, s", ".3f"),
+    "noise": ("noise of CPU", ".2f"),
 }
-PART_COLUMNS = {"part": "part", "cpu": "CPU, s", "wall": "wall, s", "noise": "noise of CPU"}
-PART_FORMATS = {"cpu": ".3f", "wall": ".3f", "noise": ".2f"}
 
 
 def measure(effort: Effort) -> Section:
@@ -73,12 +73,11 @@ def measure(effort: Effort) -> Section:
             "new process each time, a new unpack folder each time, files in the system's cache."
         ),
         tables=[
-            Table(title="A communication step", columns=COLUMNS, rows=steps, formats=FORMATS),
+            Table(title="A communication step", columns=COLUMNS, rows=steps),
             Table(
                 title="Building and loading",
                 columns=PART_COLUMNS,
                 rows=parts,
-                formats=PART_FORMATS,
             ),
         ],
         goals=_goals(steps[0], building["new process"], after_import),

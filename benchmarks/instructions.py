@@ -36,13 +36,12 @@ WHOLE_BLOCKS += ":glibc.cpu.x86_rep_movsb_threshold=1000000000"
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "solves": "inner steps",
-    "count": "instructions per inner step",
-    "point": "per inner step and point",
-    "hand": "written by hand",
-    "ratio": "times as many",
+    "solves": ("inner steps", ".0f"),
+    "count": ("instructions per inner step", ".0f"),
+    "point": ("per inner step and point", ".0f"),
+    "hand": ("written by hand", ".0f"),
+    "ratio": ("times as many", ".1f"),
 }
-FORMATS = {"solves": ".0f", "count": ".0f", "point": ".0f", "hand": ".0f", "ratio": ".1f"}
 METHOD = (
     "Machine instructions of the process, counted by valgrind --tool=callgrind: difference of two "
     "runs from the initial configuration, one of three times the steps, divided by the difference "
@@ -73,7 +72,7 @@ def measure(effort: Effort) -> Section:
         name="instructions",
         title="Instructions",
         method=METHOD,
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)] if rows else [],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)] if rows else [],
         goals=goals,
         remarks=remarks,
     )

@@ -37,36 +37,29 @@ MORE_IN_A_SWEEP = 1.1
 
 CALLS = {
     "scene": "scene",
-    "core": "holonom_advance in C, µs",
-    "c": "fmi2DoStep in C, µs",
-    "beyond": "beyond, µs",
-    "instructions": "beyond, instructions",
-    "fmi2": "beyond in fmpy, FMI 2.0, µs",
-    "fmi3": "beyond in fmpy, FMI 3.0, µs",
+    "core": ("holonom_advance in C, µs", ".2f"),
+    "c": ("fmi2DoStep in C, µs", ".2f"),
+    "beyond": ("beyond, µs", ".2f"),
+    "instructions": ("beyond, instructions", ".0f"),
+    "fmi2": ("beyond in fmpy, FMI 2.0, µs", ".2f"),
+    "fmi3": ("beyond in fmpy, FMI 3.0, µs", ".2f"),
 }
-CALL_FORMATS = {"instructions": ".0f"} | dict.fromkeys(
-    ("core", "c", "beyond", "fmi2", "fmi3"), ".2f"
-)
 OTHERS = {
     "scene": "scene",
-    "model": "model, kB",
-    "get": f"fmi2GetReal of {READ}, µs",
-    "copy": "fmi2GetFMUstate, µs",
-    "instance": "fmi2Instantiate and free, ms",
+    "model": ("model, kB", ".0f"),
+    "get": (f"fmi2GetReal of {READ}, µs", ".3f"),
+    "copy": ("fmi2GetFMUstate, µs", ".3f"),
+    "instance": ("fmi2Instantiate and free, ms", ".3f"),
 }
-OTHER_FORMATS = {"model": ".0f", "get": ".3f", "copy": ".3f", "instance": ".3f"}
 SWEEPS = {
     "scene": "scene",
-    "outputs": "outputs",
-    "c": "host in C, ms",
-    "memory": "sweep, ms",
-    "ratio": "ratio",
-    "file": "sweep into a .csv, ms",
-    "file_ratio": "ratio",
+    "outputs": ("outputs", ".0f"),
+    "c": ("host in C, ms", ".3f"),
+    "memory": ("sweep, ms", ".3f"),
+    "ratio": ("ratio", ".3f"),
+    "file": ("sweep into a .csv, ms", ".3f"),
+    "file_ratio": ("ratio", ".3f"),
 }
-SWEEP_FORMATS = {"outputs": ".0f", "c": ".3f", "memory": ".3f", "ratio": ".3f"} | {
-    "file": ".3f", "file_ratio": ".3f",
-}  # fmt: skip
 
 
 def measure(effort: Effort) -> Section:
@@ -99,9 +92,9 @@ def measure(effort: Effort) -> Section:
             f"in {ROUNDS} processes for the host and {ROUNDS} sweeps in turn."
         ),
         tables=[
-            Table(title="A communication step", columns=CALLS, rows=calls, formats=CALL_FORMATS),
-            Table(title="Other calls in C", columns=OTHERS, rows=others, formats=OTHER_FORMATS),
-            Table(title="A run in a sweep", columns=SWEEPS, rows=sweeps, formats=SWEEP_FORMATS),
+            Table(title="A communication step", columns=CALLS, rows=calls),
+            Table(title="Other calls in C", columns=OTHERS, rows=others),
+            Table(title="A run in a sweep", columns=SWEEPS, rows=sweeps),
         ],
         goals=[
             # Of longer steps the noise is longer than what is beyond them.

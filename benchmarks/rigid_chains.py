@@ -50,25 +50,20 @@ FAMILIES = (
 
 COLUMNS = {
     "family": "mechanism",
-    "n": "N",
-    "bodies": "bodies",
-    "solve": "µs per inner step",
-    "body": "µs per inner step and body",
-    "exudyn": "Exudyn, µs per step",
-    "ratio": "Exudyn / ours",
-    "newton": "Newton iterations per inner step",
-    "their_newton": "Exudyn's",
-    "iteration": "µs per iteration and body",
-    "energy": "energy.error, J",
-    "constraint": "constraint.position, m",
-    "noise": "noise",
+    "n": ("N", ".0f"),
+    "bodies": ("bodies", ".0f"),
+    "solve": ("µs per inner step", ".4g"),
+    "body": ("µs per inner step and body", ".3f"),
+    "exudyn": ("Exudyn, µs per step", ".4g"),
+    "ratio": ("Exudyn / ours", ".1f"),
+    "newton": ("Newton iterations per inner step", ".2f"),
+    "their_newton": ("Exudyn's", ".2f"),
+    "iteration": ("µs per iteration and body", ".3f"),
+    "energy": ("energy.error, J", ".1e"),
+    "constraint": ("constraint.position, m", ".1e"),
+    "noise": ("noise", ".2f"),
     "remark": "",
 }
-FORMATS = {
-    "n": ".0f", "bodies": ".0f", "solve": ".4g", "body": ".3f", "exudyn": ".4g", "ratio": ".1f",
-    "newton": ".2f", "their_newton": ".2f", "iteration": ".3f", "energy": ".1e",
-    "constraint": ".1e", "noise": ".2f",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +103,7 @@ def measure(effort: Effort) -> Section:
             f"steps of 2.5 ms. All as pairs, after {WARM_UP} of them, settings as by default. "
             f"{METHOD}"
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         goals=[*_per_body(rows), *_exponents(rows)],
         remarks=[*remarks, *_their_exponents(rows), *failures],
     )

@@ -30,25 +30,20 @@ PEERS: dict[str, tuple[str, tuple[float, ...]]] = {
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "bodies": "bodies and points",
-    "h": "step, ms",
-    "solve": "µs per inner step",
-    "exudyn": "Exudyn, µs per step",
-    "ratio": "Exudyn / ours",
-    "communication": "µs per communication step",
-    "inner": "inner steps in it",
-    "newton": "Newton iterations per inner step",
-    "their_newton": "Exudyn's",
-    "energy": "energy.error, J",
-    "constraint": "constraint.position, m",
-    "noise": "noise",
+    "bodies": ("bodies and points", ".0f"),
+    "h": ("step, ms", ".4g"),
+    "solve": ("µs per inner step", ".2f"),
+    "exudyn": ("Exudyn, µs per step", ".1f"),
+    "ratio": ("Exudyn / ours", ".1f"),
+    "communication": ("µs per communication step", ".1f"),
+    "inner": ("inner steps in it", ".0f"),
+    "newton": ("Newton iterations per inner step", ".2f"),
+    "their_newton": ("Exudyn's", ".2f"),
+    "energy": ("energy.error, J", ".1e"),
+    "constraint": ("constraint.position, m", ".1e"),
+    "noise": ("noise", ".2f"),
     "remark": "",
 }
-FORMATS = {
-    "bodies": ".0f", "h": ".4g", "solve": ".2f", "exudyn": ".1f", "ratio": ".1f",
-    "communication": ".1f", "inner": ".0f", "newton": ".2f", "their_newton": ".2f",
-    "energy": ".1e", "constraint": ".1e", "noise": ".2f",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +92,7 @@ def measure(effort: Effort) -> Section:
             "and constraint at the end of a repetition. The communication step is that of the "
             f"scene's experiment, without reading outputs. {METHOD}"
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         goals=[
             Goal.of_row(f"inner step, {key}", GOALS[key], row, "solve")
             for row in rows

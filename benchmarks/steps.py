@@ -15,14 +15,13 @@ DOUBLE_PENDULUM = 2.5
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "solve": "µs per inner step",
-    "step": "µs per step of 1 ms",
-    "node": "µs per inner step and point",
-    "newton": "Newton iterations per inner step",
-    "noise": "noise",
+    "solve": ("µs per inner step", ".2f"),
+    "step": ("µs per step of 1 ms", ".2f"),
+    "node": ("µs per inner step and point", ".3f"),
+    "newton": ("Newton iterations per inner step", ".2f"),
+    "noise": ("noise", ".2f"),
     "remark": "",
 }
-FORMATS = {"solve": ".2f", "step": ".2f", "node": ".3f", "newton": ".2f", "noise": ".2f"}
 
 
 def measure(effort: Effort) -> Section:
@@ -47,7 +46,7 @@ def measure(effort: Effort) -> Section:
             "rod pinned, v_y,i = 0.5 sin(2πi/N) m/s, without gravity. Four-bar: IFToMM benchmark "
             "A02 with two loops."
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         goals=_goals(rows, effort.largest),
         remarks=[f"{name}: {x.failure}" for name, x in cases.items() if name not in able],
     )

@@ -17,11 +17,11 @@ COUNT = 300
 GOALS = {10: 4.0, 100: 30.0, 1000: 200.0}
 """Points, and goal of a step of ours [microseconds]."""
 COLUMNS = {
-    "points": "points",
+    "points": ("points", "d"),
     "solver": "solver",
     "length": "step, ms",
     "step": "µs per step",
-    "noise": "noise",
+    "noise": ("noise", ".2f"),
 }
 
 Row = Mapping[str, Any]
@@ -55,8 +55,7 @@ def _row(points: int, solver: str, length: float, step: float, noise: Value) -> 
 
 def table(rows: Sequence[dict[str, Value]]) -> Table:
     """Chains beside each other."""
-    formats = {"points": "d", "length": ".3g", "step": ".3g", "noise": ".2f"}
-    return Table(title="Chains of points", columns=COLUMNS, rows=rows, formats=formats)
+    return Table(title="Chains of points", columns=COLUMNS, rows=rows)
 
 
 def goals(rows: Sequence[dict[str, Value]]) -> list[Goal]:
