@@ -45,7 +45,7 @@ def measured(jobs: Sequence[Job], effort: Effort) -> tuple[dict[str, dict[str, A
         "jobs": [asdict(job) for job in jobs],
     }
     try:
-        found = answer(["-m", "benchmarks.exudyn_run"], request)
+        found = answer(["-m", "benchmarks.peer_run", "benchmarks.exudyn_run"], request)
     except InterpreterError as error:
         return {}, [*told, f"Exudyn: {error}"]
     failures = [f"Exudyn, {key}: {row['failure']}" for key, row in found.items() if row["failure"]]

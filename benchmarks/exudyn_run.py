@@ -1,15 +1,7 @@
-"""`python -m benchmarks.exudyn_run`: time Exudyn's steps of the problems that its input names.
-
-Input: JSON of `repetitions`, `budget` [s] and `jobs`, each with `key`, `model` (a function of
-`benchmarks.problems`), its `arguments`, `step` [s] and `count`. The last line of what it prints is
-JSON: for each key seconds per step, noise and Newton iterations per step, or a failure. Needs
-Exudyn and NumPy alone of all packages.
-"""
+"""Times of Exudyn's steps of the problems that a request names (`benchmarks.peer_run`)."""
 
 from __future__ import annotations
 
-import json
-import sys
 from typing import Any
 
 from benchmarks import problems
@@ -19,7 +11,11 @@ from benchmarks.timing import Entry, interleave
 
 
 def run(request: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """Time all jobs in turn."""
+    """Time all jobs in turn: seconds, noise and Newton iterations per step, or a failure, by key.
+
+    The request has `repetitions`, `budget` [s] and `jobs`, each with `key`, `model` (a function of
+    `benchmarks.problems`), its `arguments`, `step` [s] and `count`.
+    """
     effort = repeated(request["repetitions"], request["budget"])
     builds, found = {}, {}
     for job in request["jobs"]:
@@ -41,9 +37,3 @@ def run(request: dict[str, Any]) -> dict[str, dict[str, Any]]:
 def _steps(build: Build, job: dict[str, Any]) -> None:
     """All steps from the start."""
     build.solve(job["count"], job["count"] * job["step"])
-
-
-if __name__ == "__main__":
-    results = run(json.load(sys.stdin))
-    print()
-    print(json.dumps(results))

@@ -11,9 +11,11 @@ import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from importlib import import_module
 from typing import Any
 
 from benchmarks.effort import Effort, repeated
+from benchmarks.problems import PROBLEMS
 from benchmarks.problems_parts import Array, Problem
 from benchmarks.timing import Entry, interleave
 
@@ -92,6 +94,13 @@ class Limits:
 def too_large(problem: Problem) -> str:
     """Excuse of a code that is not measured on large models; empty where a model is not."""
     return f"not measured: more than {LARGEST} bodies" if len(problem.bodies) > LARGEST else ""
+
+
+def run(request: dict[str, Any]) -> list[Row]:
+    """Rows of the methods of a `module` on a `problem`, with `limits` and `expected` places."""
+    methods = import_module(f"benchmarks.{request['module']}").METHODS
+    problem = PROBLEMS[request["problem"]]()
+    return measured(problem, methods, Limits(**request["limits"]), request["expected"])
 
 
 def measured(

@@ -1,7 +1,7 @@
 """A way of solving problems with impacts, its settings, and the best of what it reaches.
 
 The same loop runs here and, for codes that have interpreters of their own, in theirs
-(`benchmarks.contact.run`): NumPy alone is needed.
+(`benchmarks.peer_run`): NumPy alone is needed.
 """
 
 from __future__ import annotations
@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from importlib import import_module
 from typing import Any
 
-from benchmarks.contact.problems import Problem, Score
+from benchmarks.contact.problems import PROBLEMS, Problem, Score
 from benchmarks.effort import repeated
 from benchmarks.peer_methods import GaveUpError, Row, once
 from benchmarks.timing import Entry, interleave
@@ -51,6 +52,12 @@ class Limits:
     """CPU seconds of a run after which no finer one is tried."""
     settings: int
     """Most settings of a family."""
+
+
+def run(request: dict[str, Any]) -> list[Row]:
+    """Rows of the methods of a `module` on a `problem`, with `limits`."""
+    methods = import_module(f"benchmarks.contact.{request['module']}").METHODS
+    return measured(PROBLEMS[request["problem"]], methods, Limits(**request["limits"]))
 
 
 def measured(problem: Problem, methods: Sequence[Method], limits: Limits) -> list[Row]:

@@ -117,7 +117,7 @@ def _absence() -> str:
 
 def _answered(module: str, problem: Problem, limits: Limits) -> list[Row]:
     request = {"module": module, "problem": problem.key, "limits": asdict(limits)}
-    program = ["-m", "benchmarks.contact.run"]
+    program = ["-m", "benchmarks.peer_run", "benchmarks.contact.methods"]
     return answer(program, request, patience=PATIENCE, environment=ONE)
 
 
