@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 from dataclasses import dataclass
-from pathlib import Path
 
 from benchmarks.effort import Effort
+from benchmarks.processes import printed
 from benchmarks.report import Goal, Section, Table, Value, exponent
 
 
@@ -96,17 +95,12 @@ def _child(kind: Kind, n: int, effort: Effort) -> dict[str, Value]:
     """What was measured, in a process of its own."""
     count = effort.count(max(2, kind.steps_times_n // n), least=2)
     numbers = [str(number) for number in (n, count, effort.repetitions)]
-    run = subprocess.run(
-        [sys.executable, "-m", "benchmarks.chain_run", kind.key, *numbers],
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=Path(__file__).resolve().parents[1],
-    )
-    if run.returncode:
-        reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
+    command = [sys.executable, "-m", "benchmarks.chain_run", kind.key, *numbers]
+    try:
+        return json.loads(printed(command))
+    except RuntimeError as error:
+        reason = str(error).rpartition("\n")[2]
         return {"kind": kind.key, "n": n, "failure": reason}
-    return json.loads(run.stdout)
 
 
 def _row(kind: Kind, facts: dict[str, Value]) -> dict[str, Value]:

@@ -74,11 +74,7 @@ def measure(effort: Effort) -> Section:
         ),
         tables=[
             Table(title="A communication step", columns=COLUMNS, rows=steps),
-            Table(
-                title="Building and loading",
-                columns=PART_COLUMNS,
-                rows=parts,
-            ),
+            Table(title="Building and loading", columns=PART_COLUMNS, rows=parts),
         ],
         goals=_goals(steps[0], building["new process"], after_import),
     )

@@ -24,6 +24,7 @@ from benchmarks.mechanisms import (
     waving_chain,
 )
 from benchmarks.report import Goal, Section, Table, Value
+from build_kernel.compiler import CompilerError
 
 ROOT = Path(__file__).resolve().parents[1]
 STEP = 1e-3
@@ -61,7 +62,7 @@ def measure(effort: Effort) -> Section:
         for name, (content, points, steps) in mechanisms().items():
             try:
                 row = _count(name, content, effort.count(steps, least=2))
-            except RuntimeError as error:
+            except (RuntimeError, CompilerError) as error:
                 remarks.append(f"{name}: not counted: {error}")
                 continue
             rows.append({"mechanism": name} | row | {"point": float(row["count"]) / points})

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import shutil
-import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
@@ -20,10 +19,11 @@ import solver
 from benchmarks.effort import Effort
 from benchmarks.fmu import started
 from benchmarks.instructions import counted
+from benchmarks.processes import printed
 from benchmarks.report import Goal, Section, Table, Value
 from build_fmu import build, sweep
 from build_fmu.platforms import SCOPES, library_scope
-from build_kernel.compiler import CompilerError, Kind, compile_library, system_compiler
+from build_kernel.compiler import CompilerError, Kind, any_compiler, compile_library
 
 ROOT = Path(__file__).resolve().parents[1]
 SCENES = ("double_pendulum", "four_bar", "bricard", "pendulum_with_stop", "flyball_governor")
@@ -68,7 +68,7 @@ def measure(effort: Effort) -> Section:
         try:
             chosen = SCENES[: effort.repetitions]  # fewer for a quick look
             fmus = [_unpacked(scene, Path(name)) for scene in chosen]
-        except CompilerError as error:
+        except (CompilerError, RuntimeError) as error:
             remarks.append(f"Not measured: {error}")
             fmus = []
         if not shutil.which("valgrind"):
@@ -158,22 +158,18 @@ def _compiled(kind: Kind, folder: Path) -> tuple[Path, Path]:
     Raises
     ------
     CompilerError
-        Where there is no compiler, or the host does not compile: it is for Unix.
+        Where there is no compiler.
+    RuntimeError
+        Where the host does not compile: it is for Unix.
     """
-    compiler = system_compiler()
-    if compiler is None:
-        text = "there is no C compiler"
-        raise CompilerError(text)
+    compiler = any_compiler()
     sources, name = ROOT / "solver/kernel", f"{kind.dimension}_{kind.scope}"
     kernel, host = folder / f"kernel_{name}.so", folder / f"host_{name}"
     compile_library(compiler, sources, kind, kernel)
     include = f"-I{ROOT / 'fmu_src/native'}", f"-I{sources}"
     macros = f"-DDIM={kind.dimension}", f"-DHM_SCOPE={SCOPES.index(kind.scope)}"
     program = str(ROOT / "benchmarks/native_calls.c"), "-o", str(host), "-ldl"
-    command = [*compiler, "-std=c99", "-O2", *include, *macros, *program]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    if run.returncode:
-        raise CompilerError(run.stderr)
+    printed([*compiler, "-std=c99", "-O2", *include, *macros, *program])
     return kernel, host
 
 
@@ -188,10 +184,8 @@ def _command(
 
 def _in_c(*arguments: Any) -> dict[str, float]:
     """Seconds by the letters of native_calls.c; arguments as of ``_command``."""
-    run = subprocess.run(_command(*arguments), capture_output=True, text=True, check=False)
-    if run.returncode:
-        raise RuntimeError(run.stderr)
-    return {key: float(value) for key, value in map(str.split, run.stdout.splitlines())}
+    lines = printed(_command(*arguments)).splitlines()
+    return {key: float(value) for key, value in map(str.split, lines)}
 
 
 def _times(fmu: Unpacked, effort: Effort) -> dict[str, float]:

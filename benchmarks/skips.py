@@ -33,9 +33,8 @@ from build_kernel.compiler import (
     SOURCES,
     CompilerError,
     Kind,
+    any_compiler,
     compile_library,
-    system_compiler,
-    zig_compiler,
 )
 from scenes.generate import rigid_chain
 from solver.runtime import Integrator, Model
@@ -81,10 +80,7 @@ def variant(without: int, dimension: int) -> ctypes.CDLL:
     CompilerError
         When there is no compiler, or it refuses; the text has the reason.
     """
-    compiler = system_compiler() or zig_compiler()
-    if compiler is None:
-        text = "there is no C compiler here for kernels without skips; install one, or ziglang"
-        raise CompilerError(text)
+    compiler = any_compiler()
     # A library that is loaded cannot be deleted on every system.
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         target = Path(folder, f"without{without}.library")

@@ -220,11 +220,7 @@ def measure(effort: Effort) -> Section:
         ),
         tables=[
             Table(title="Tolerances", columns=COLUMNS, rows=rows),
-            Table(
-                title=f"Price of a tolerance of {PRICED:.0e}",
-                columns=PRICES,
-                rows=prices,
-            ),
+            Table(title=f"Price of a tolerance of {PRICED:.0e}", columns=PRICES, rows=prices),
         ],
         goals=[
             Goal(
