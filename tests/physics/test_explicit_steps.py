@@ -145,30 +145,6 @@ def test_explicit_steps_have_order_eight(name, stop, count):
     assert 100.0 < coarse / fine < 400.0
 
 
-SWING = """
-name = "swing"
-dimension = 2
-gravity = [0, -9.81]
-[points]
-O = { position = [0, 0], fixed = true }
-A = { position = [0.8, -0.6], mass = 2.0 }
-[joints]
-rod = { type = "distance", points = ["O", "A"] }
-[solver]
-tolerance = 1e-6
-"""
-
-
-def test_reactions_are_those_of_the_place_and_velocity_at_the_same_time():
-    """The end of a step has its own accelerations: S = m (v^2/L + g cos)."""
-    run = Integrator(solver.assemble(solver.loads(SWING)))
-    for _ in range(20):
-        run.advance(run.time, 0.1)
-        y, vx, vy = (float(run[f"A.{name}"]) for name in ("y", "vx", "vy"))
-        assert run["rod.force"] == pytest.approx(2.0 * (vx**2 + vy**2 - 9.81 * y), rel=1e-9)
-        assert run["energy.error"] < 1e-15
-
-
 def test_a_load_that_jumps_where_a_step_ends_costs_no_accuracy_and_no_steps():
     """A mass of 1 kg is pushed by 1 N for 1 s: x = 1/2 + (t - 1) after it."""
     text = """
