@@ -124,7 +124,8 @@ static void begin_control(context *c)
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
-    head[S_WANTED] = rate > 0.0 ? (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0)) / rate : INFINITY;
+    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+    head[S_WANTED] = rate > 0.0 ? turned / rate : INFINITY;
 }
 
 /* Takes from the last step, of length h, length and order of the next ones; 1 if it is to be repeated with

@@ -99,8 +99,8 @@ static int32_t internal_step(context *c, double h)
     return status;
 }
 
-/* After a failure penalties are those that were asked for with contacts, whose rows may have become dependent. Else they stay raised: a heavy load on light links fails where its tension ends, and needs them all the more in
-   shorter steps. */
+/* After a failure penalties are those that were asked for with contacts, whose rows may have become dependent. Else they stay
+   raised: a heavy load on light links fails where its tension ends, and needs them all the more in shorter steps. */
 HM_OFTEN void lower_penalties(context *c)
 {
     if (!is_unilateral(c->m)) return;
