@@ -6,7 +6,6 @@ any size. `start` makes an integrator of it, `move` takes steps and records them
 
 from __future__ import annotations
 
-import contextlib
 import json
 import math
 from collections.abc import Iterable, Sequence
@@ -17,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import solver
-from solver.runtime import Integrator, Model, StepError
+from solver.runtime import Integrator, Model
 from tests.kernel_calls import kernel_of
 
 Content = dict[str, Any]
@@ -70,11 +69,6 @@ def step(integrator: Integrator, h: float) -> None:
     integrator.advance(integrator.time, h)
 
 
-def last_multipliers(integrator: Integrator) -> Array:
-    """Multipliers of the last half step that was solved."""
-    return view(integrator, "mu_second").copy()
-
-
 @dataclass(frozen=True)
 class Motion:
     """What `move` recorded: times (n + 1,), coordinates and velocities (n + 1, nodes, dim).
@@ -117,19 +111,6 @@ def observe(integrator: Integrator, h: float, n_steps: int, names: Sequence[str]
     for _ in range(n_steps):
         step(integrator, h)
         rows.append(integrator.get(places))
-    return np.array(rows, dtype=float)
-
-
-def observe_until_it_fails(
-    integrator: Integrator, h: float, n_steps: int, names: Sequence[str]
-) -> Array:
-    """Values as of `observe`, up to the last step that could be solved."""
-    places = [integrator.model.index(name) for name in names]
-    rows = [integrator.get(places)]
-    with contextlib.suppress(StepError):
-        for _ in range(n_steps):
-            step(integrator, h)
-            rows.append(integrator.get(places))
     return np.array(rows, dtype=float)
 
 

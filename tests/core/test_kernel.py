@@ -1,4 +1,4 @@
-"""The kernel's steps, starts and measurements against the oracle's."""
+"""The kernel's steps and starts against the oracle's."""
 
 from __future__ import annotations
 
@@ -12,15 +12,12 @@ from hypothesis import settings as trials
 
 import solver
 from solver.mechanics.mobility import survey
-from solver.runtime.layout import measured_sections
 from tests.joint_scenes import PAIRS, pair
 from tests.kernel_calls import kernel_of
 from tests.kernel_cases import PROFILES, SOURCES, ZOO, is_plain
 from tests.oracle import Mechanism
 from tests.oracle import internal_step as step_of_the_oracle
-from tests.oracle.measurements import measurements
-from tests.oracle.start import consistent_velocities, first_multipliers, row_rates, scales
-from tests.oracle.step import rows_now
+from tests.oracle.start import consistent_velocities, first_multipliers, scales
 from tests.random_mechanisms import driven_systems
 from tests.twins import (
     EVERYTHING,
@@ -28,7 +25,6 @@ from tests.twins import (
     advance,
     internal_step,
     model_of,
-    numbers,
     start,
     vector,
 )
@@ -160,29 +156,6 @@ def test_steps_of_ten_nanoseconds_have_the_multipliers_of_the_start(name):
     size = max(1.0, np.max(np.abs(mu), initial=0.0))
     for half in ("mu_first", "mu_second"):
         assert vector(run, half) == pytest.approx(mu, abs=1e-3 * size)
-
-
-@pytest.mark.parametrize("name", ALL)
-def test_the_kernel_measures_what_is_defined(name):
-    run = start(ALL[name])
-    advance(run, 7)
-    oracle = oracle_of(run)
-    kernel_of(run).measure()
-    base, theirs = run.model.offsets["measured"], measurements(oracle)
-    sections = measured_sections(run.model.sizes)
-    others = sections.keys() - theirs.keys()
-    assert {section for section in others if sections[section][1]} == {"solver"}
-    for section, values in theirs.items():
-        begin, count = sections[section]
-        ours = numbers(run)[base + begin : base + begin + count]
-        near = 1e-10 if section == "residual" else 1e-12 if section == "energy" else 1e-14
-        size = max(1.0, *np.abs(values), 0.0)
-        assert ours == pytest.approx(values, rel=1e-13, abs=near * size), section
-    phi, rates = kernel_of(run).residuals()
-    assert phi == pytest.approx(rows_now(oracle), abs=1e-14)
-    its_rates = row_rates(oracle, oracle.signal_rates(run.time))
-    near = 1e-10 if run.model.sizes["n_signals"] else 1e-13
-    assert rates == pytest.approx(its_rates, abs=near)
 
 
 def test_a_jump_of_an_input_is_booked_by_the_equations():

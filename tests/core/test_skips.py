@@ -45,22 +45,6 @@ def reference(name):
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", [*skips.SKIPS, "all"])
-def test_without_a_skip_a_mechanism_moves_alike_to_round_off(name):
-    # Each step is solved to round-off of positions either way, 2e-16 of the mechanism; a hundred
-    # steps of smooth motion let it grow little. A velocity is an increment over h, and so are its
-    # errors.
-    bits = skips.SKIPS.get(name, skips.ALL)
-    for mechanism, (model, _) in MODELS.items():
-        without = kernel_without(bits, model.sizes["dim"])
-        h, q, v, _ = reference(mechanism)
-        _, q_without, v_without, _ = moved(model, without)
-        size = np.abs(q).max()
-        assert q_without == pytest.approx(q, abs=ROUND_OFF * size)
-        assert h * v_without == pytest.approx(h * v, abs=ROUND_OFF * size)
-
-
-@needs_compiler
 @pytest.mark.parametrize(
     ("skip", "mechanism", "saved"),
     [

@@ -142,35 +142,3 @@ def assert_alike_without_skips(content, h: float) -> None:
     for bits in (*SKIPS.values(), ALL):
         # Loops may be nearly stretched: rounding is then multiplied, more from step to step.
         assert_alike(with_all, moved(model, bits, 2, 20), 1e-10)
-
-
-def pendulums(count: int) -> Model:
-    """Pendulums side by side: the first swings, the others hang still; a force pushes the last."""
-    names = [f"{k}" for k in range(count)]
-    ends = [[0.6, -0.8], *([5.0 * k, -1.0] for k in range(1, count))]
-    points = {f"O{k}": {"position": [5.0 * int(k), 0.0], "fixed": True} for k in names}
-    points |= {f"A{k}": {"position": end, "mass": 1.0} for k, end in zip(names, ends, strict=True)}
-    push = {"type": "force", "point": f"A{names[-1]}", "value": ["push", 0.0]}
-    content = {
-        "name": "beside",
-        "dimension": 2,
-        "gravity": [0, -9.81],
-        "inputs": {"push": {"unit": "N"}},
-        "points": points,
-        "joints": {f"rod{k}": {"type": "distance", "points": [f"O{k}", f"A{k}"]} for k in names},
-        "forces": {"pushed": push},
-    }
-    return solver.assemble(solver.loads(json.dumps(content), format="json"))
-
-
-def test_islands_apart_move_as_all_do_together():
-    model, found = pendulums(3), []
-    for bits in (0, SKIPS["islands"]):
-        run = integrator_without(bits, model)
-        for push in (0.0, 3.0):
-            run["push"] = push
-            for _ in range(50):
-                run.advance(run.time, 0.01)
-        assert abs(float(run["A2.x"]) - 10.0) > 1e-2  # it was pushed
-        found.append(Run(*ends(run), 0.0, 0.0))
-    assert_alike(*found, 1e-12)

@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, strategies
-from hypothesis import settings as trials
 
-import solver
-from solver.runtime.layout import ISLAND, measured_sections
+from solver.runtime.layout import ISLAND
 from tests.kernel_calls import kernel_of
 from tests.kernel_cases import SOURCES, ZOO
 from tests.oracle import Mechanism, Residual
-from tests.oracle.measurements import measurements
-from tests.random_mechanisms import driven_systems
 from tests.twins import EVERYTHING, advance, model_of, numbers, start, vector
 
 ALL = SOURCES | ZOO
@@ -92,35 +85,6 @@ def test_residual_and_tangent_of_every_scene_are_those_of_the_equations(name):
         for a, b in zip(ours, probe_of_the_oracle(run, h, w, mu, x), strict=True):
             # Rows of all scales are beside balances of all scales; each is a sum that cancels.
             assert a == pytest.approx(b, rel=1e-10, abs=1e-11 * np.max(np.abs(b)))
-
-
-@trials(max_examples=40, suppress_health_check=list(HealthCheck))
-@given(driven_systems(), strategies.integers(0, 2**32 - 1))
-def test_residual_tangent_and_measurements_of_random_states(content, seed):
-    model = solver.assemble(solver.loads(json.dumps(content), format="json"))
-    run = start(model, step_size=0.01)
-    advance(run, 2)
-    random, sizes = np.random.default_rng(seed), model.sizes
-    n = sizes["dim"] * sizes["n_free"]
-    for name in ("q", "v"):  # any state will do, also one that breaks the rows
-        values = vector(run, name)
-        values[:n] += 0.1 * random.normal(size=n)
-        run.state.vectors[name][:] = memoryview(values)
-    run.state.head["penalty"] = 10.0
-    lower_penalties(run)
-    arguments = unknowns(run, 0.1, seed)
-    status, *ours = kernel_of(run).probe(0.1, *arguments)
-    assert status == 0
-    for a, b in zip(ours, probe_of_the_oracle(run, 0.1, *arguments), strict=True):
-        assert a == pytest.approx(b, rel=1e-11, abs=1e-12 * np.max(np.abs(b)))
-    kernel_of(run).measure()
-    sections, base = measured_sections(sizes), model.offsets["measured"]
-    for section, values in measurements(Mechanism.of(model, run.state)).items():
-        begin, count = sections[section]
-        measured = numbers(run)[base + begin : base + begin + count]
-        size = max(1.0, *np.abs(values), 0.0)
-        near = 1e-10 if section in ("energy", "residual") else 1e-13
-        assert measured == pytest.approx(values, rel=1e-12, abs=near * size), section
 
 
 @pytest.mark.parametrize("size", [1e-9, 1e-2, 1.0])

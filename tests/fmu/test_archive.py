@@ -140,13 +140,6 @@ def test_the_model_in_an_archive_has_its_guid():
     assert guid.rstrip(b"\0").decode() == fmpy.read_model_description(fmu).guid
 
 
-def test_a_mechanism_in_the_plane_and_one_in_space_move_in_one_process():
-    for name in ("double_pendulum", "heavy_top", "four_bar"):
-        with instance(scene_fmu(name)) as fmu:
-            fmu.initialise()
-            assert fmu.step(0.0, 0.01)
-
-
 def test_the_private_name_is_a_hash_of_the_code(monkeypatch):
     name = private_package()
     assert name.startswith("holonom_")

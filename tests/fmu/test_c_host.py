@@ -196,13 +196,6 @@ def test_load_run_and_unload_many_times_gives_the_same_and_holds_little_memory(h
 
 
 @with_python
-def test_instances_in_threads_move_as_one_alone(host, swinging):
-    expected = in_fmpy(pendulum(), "push", "A.x", H, STEPS)[-1]
-    shown = lines(host, "threads", *swinging.arguments("push", "A.x"), "8")
-    assert [*map(float, shown)] == [expected] * 8
-
-
-@with_python
 def test_two_fmus_in_threads_move_as_each_alone(host, swinging, linked):
     expected = [
         in_fmpy(pendulum(), "push", "A.x", H, STEPS)[-1],

@@ -25,16 +25,6 @@ one = { type = "distance", points = ["O", "A"] }
 two = { type = "distance", points = ["O", "A"] }
 """
 
-PUCK = """
-name = "puck"
-gravity = [0, 0, -9.81]
-[points]
-O = { position = [0, 0, 0], fixed = true }
-A = { position = [1, 0, 0], mass = 1.0 }
-[contacts]
-floor = { type = "plane", point = "A", axis = [0, 0, 1], friction = 0.3 }
-rope = { type = "stop", points = ["O", "A"], max = 1.0 }
-"""
 UNEVEN_BEAM = """
 name = "uneven_beam"
 dimension = 2
@@ -118,28 +108,6 @@ def test_redundant_rows_are_counted_and_their_joints_named(capsys, tmp_path):
     assert table["degrees of freedom"] == "1"
 
 
-def test_a_paradoxical_mechanism_moves_by_rank_alone(capsys):
-    found = info(capsys, SCENES / "bricard.toml")
-    assert (found["mobility"], found["mobility_by_count"]) == (1, 0)
-    assert found["redundant_parts"] == [f"joint 'hinge{i}'" for i in range(1, 7)]
-
-
-def test_rolling_takes_freedom_from_velocities_alone(capsys):
-    table = lines(capsys, SCENES / "rolling_disc.toml")
-    assert table["non-holonomic rows"] == "2  joint 'contact'"
-    assert table["degrees of freedom"] == "5 of positions, 3 of velocities"
-
-
-def test_contacts_are_named_and_take_no_freedom(capsys, tmp_path):
-    scene = tmp_path / "puck.toml"
-    scene.write_text(PUCK)
-    found = info(capsys, scene)
-    assert (found["contacts"], found["rows"], found["velocity_rows"]) == (["floor", "rope"], 0, 0)
-    assert found["degrees_of_freedom"] == 3
-    assert lines(capsys, scene)["contacts"] == "2  floor, rope"
-    assert "contacts" not in lines(capsys, SCENES / "four_bar.toml")
-
-
 def test_the_grid_of_a_mesh_and_its_errors_are_told_of_a_scene_and_its_fmu(capsys, tmp_path):
     """The same by both, which needs no library for an FMU; large errors are told at the build."""
     target = SCENES / "die_in_a_bowl.toml"
@@ -206,12 +174,6 @@ def test_reactions_that_are_not_unique_are_said_to_be(capsys, tmp_path):
     scene.write_text(DOUBLE_ROD)
     out = run(capsys, "info", scene, "--equilibrium")[1]
     assert "\nreactions, not unique in joint 'one', joint 'two'\n" in out
-
-
-def test_a_change_of_a_number_moves_the_equilibrium(capsys):
-    arguments = ("--equilibrium", "--set", "mass=4")
-    found = info(capsys, SCENES / "spring_pendulum.toml", *arguments)
-    assert found["forces"]["spring"]["force"] == pytest.approx(39.24, abs=1e-7)
 
 
 def test_a_driver_that_moves_is_held_where_it_is_at_the_start(capsys):

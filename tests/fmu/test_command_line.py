@@ -7,7 +7,6 @@ import math
 import subprocess
 import sys
 import zipfile
-from pathlib import Path
 
 import pytest
 
@@ -37,19 +36,6 @@ def test_build_writes_what_the_python_function_writes(capsys, tmp_path):
     code, out, _ = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
     assert (code, out) == (0, f"{tmp_path / 'a.fmu'}\n")
     assert (tmp_path / "a.fmu").read_bytes() == scene_fmu("double_pendulum").read_bytes()
-
-
-def test_build_names_the_file_after_the_scene(capsys, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    code, out, _ = run(capsys, "build", PENDULUM, "--json")
-    assert code == 0
-    assert json.loads(out)["fmu"] == "double_pendulum.fmu"
-    assert Path("double_pendulum.fmu").is_file()
-
-
-def test_build_into_a_folder_names_the_file_after_the_scene_there(capsys, tmp_path):
-    code, out, _ = run(capsys, "build", PENDULUM, "-o", tmp_path)
-    assert (code, out) == (0, f"{tmp_path / 'double_pendulum.fmu'}\n")
 
 
 def test_set_replaces_any_number_of_the_scene(capsys, tmp_path):

@@ -196,14 +196,6 @@ def test_check_fails_where_they_do_not(capsys):
     assert "NO" in out
 
 
-def test_check_ends_with_3_if_the_run_does(capsys):
-    code, out, _ = run(
-        capsys, "check", scene_fmu("four_bar"), "--set", "solver.max_newton=1", "--json"
-    )
-    assert code == 3
-    assert not json.loads(out)["holds"]
-
-
 LIMITED = """
 name = "limited"
 dimension = 2

@@ -2,98 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
-from fmpy import simulate_fmu
 
-import solver
-from solver.runtime import Status
-from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
-
-
-def test_simulate_fmu_gives_what_solver_simulate_gives():
-    trajectory = solver.simulate(SCENES / "double_pendulum.toml", stop_time=2.0, step_size=0.05)
-    result = simulate_fmu(str(scene_fmu("double_pendulum")), stop_time=2.0, output_interval=0.05)
-    for name in ("A.x", "B.y", "B.vx", "energy.total"):
-        assert np.array_equal(result[name], trajectory[name])
-
-
-@pytest.mark.parametrize("name", ["double_pendulum", "four_bar"])
-def test_energy_and_constraints_hold_by_the_fmus_own_outputs(name):
-    result = simulate_fmu(str(scene_fmu(name)), stop_time=10.0, output_interval=0.05)
-    assert result["time"][-1] == pytest.approx(10.0)
-    assert result["energy.error"].max() < 1e-9
-    assert result["constraint.position"].max() < 1e-9
-    assert not result["solver.status"].any()
-
+from tests.fmu_instance import instance, pendulum, scene_fmu
 
 # ------------------------------------------------------------------------- values take effect
-
-
-def test_parameters_do_what_the_same_scene_with_the_numbers_written_in_does():
-    with instance(pendulum()) as set_later, instance(pendulum(length=1.3, mass=2.0)) as written:
-        set_later.initialise(length=1.3, mass=2.0, push=0.5)
-        written.initialise(push=0.5)
-        assert set_later.run(0.0, 0.05, 20) == written.run(0.0, 0.05, 20)
-
-
-def test_an_input_does_what_the_same_scene_with_the_number_written_in_does():
-    with instance(pendulum()) as driven, instance(pendulum(push="3.5")) as written:
-        driven.initialise(push=3.5)
-        written.initialise()
-        for i in range(20):
-            driven.step(i * 0.05, 0.05)
-            written.step(i * 0.05, 0.05)
-            assert driven.get("A.x") == pytest.approx(written.get("A.x"), abs=1e-12)
-            assert driven.get("A.vy") == pytest.approx(written.get("A.vy"), abs=1e-12)
-
-
-def test_an_input_may_change_between_steps():
-    with instance(pendulum()) as still, instance(pendulum()) as pushed:
-        for fmu in (still, pushed):
-            fmu.initialise()
-            fmu.step(0.0, 0.1)
-        pushed.set(push=20.0)
-        assert pushed.get("A.x") == still.get("A.x")
-        for fmu in (still, pushed):
-            fmu.step(0.1, 0.1)
-        assert pushed.get("A.x") > still.get("A.x")
-        assert pushed.get("energy.work") != still.get("energy.work") == 0.0
-        assert abs(pushed.get("energy.error")) < 1e-9
-
-
-def test_a_tunable_parameter_may_change_between_steps_and_the_change_is_booked_as_work():
-    with instance(scene_fmu("spring_pendulum")) as fmu:
-        fmu.initialise(damping=0.0)
-        fmu.run(0.0, 0.05, 5)
-        before = fmu.get("energy.total")
-        stretch = fmu.get("stretch")
-        fmu.set(stiffness=300.0)
-        jump = fmu.get("energy.total") - before
-        assert jump == pytest.approx(0.5 * 100.0 * stretch**2, rel=1e-9)
-        assert fmu.get("energy.work") == pytest.approx(jump, rel=1e-9)
-        assert fmu.get("frequency") == pytest.approx((300.0 / 2.0) ** 0.5)
-        fmu.run(0.25, 0.05, 5)
-        assert fmu.get("energy.error") < 1e-9
-
-
-def test_a_value_beyond_its_limits_is_refused():
-    with instance(scene_fmu("spring_pendulum")) as fmu:
-        fmu.initialise(push=101.0)
-        assert "push" in fmu.log[-1][2]
-        assert "100" in fmu.log[-1][2]
-        assert not fmu.step(0.0, 0.05)
-        fmu.set(push=100.0)
-        assert fmu.step(0.0, 0.05)
-
-
-def test_a_string_parameter_chooses_the_start():
-    with instance(scene_fmu("double_pendulum")) as fmu:
-        fmu.initialise(solver__start="equilibrium", solver__assemble=True)
-        assert fmu.get("solver.start") == "equilibrium"
-        assert fmu.get("solver.assemble") == 1
-        fmu.run(0.0, 0.05, 20)
-        assert fmu.get("energy.kinetic") < 1e-12
 
 
 def test_outputs_are_valid_in_initialization_mode_and_follow_the_parameters():
@@ -110,95 +23,10 @@ def test_outputs_are_valid_in_initialization_mode_and_follow_the_parameters():
         assert fmu.get("clock") == pytest.approx(2.1, abs=1e-15)
 
 
-def test_outputs_can_be_read_before_the_initialization_mode():
-    with instance(pendulum()) as fmu:
-        assert fmu.get("A.x") == 1.0
-        fmu.initialise(length=2.0)
-        assert fmu.get("A.x") == 2.0
-
-
 # ------------------------------------------------------------------------- reset, saved states
 
 
-def test_reset_returns_to_the_beginning():
-    with instance(scene_fmu("four_bar")) as fmu:
-        fmu.initialise(drive=0.3)
-        first = fmu.run(0.0, 0.05, 20)
-        fmu.fmu.reset()
-        assert fmu.get("drive") == 0.0
-        fmu.initialise(drive=0.3)
-        assert fmu.run(0.0, 0.05, 20) == first
-
-
-def test_a_saved_state_repeats_bit_for_bit():
-    with instance(scene_fmu("double_pendulum")) as fmu:
-        fmu.initialise()
-        fmu.run(0.0, 0.05, 10)
-        state = fmu.fmu.getFMUState()
-        first = fmu.run(0.5, 0.05, 20)
-        fmu.fmu.setFMUState(state)
-        assert fmu.run(0.5, 0.05, 20) == first
-        fmu.fmu.freeFMUState(state)
-
-
-def test_a_serialised_state_continues_in_another_instance():
-    path = scene_fmu("four_bar")
-    with instance(path) as fmu, instance(path) as other:
-        fmu.initialise(drive=1.5, solver__step_size=0.01)
-        fmu.run(0.0, 0.05, 10)
-        state = fmu.fmu.getFMUState()
-        data = fmu.fmu.serializeFMUState(state)
-        other.fmu.setFMUState(other.fmu.deserializeFMUState(data))
-        assert other.get("drive") == 1.5
-        assert other.outputs() == fmu.outputs()
-        assert other.run(0.5, 0.05, 20) == fmu.run(0.5, 0.05, 20)
-
-
-def test_after_a_rollback_a_smaller_step_gives_what_it_would_have_given():
-    path = scene_fmu("double_pendulum")
-    with instance(path) as fmu, instance(path) as straight:
-        for each in (fmu, straight):
-            each.initialise()
-            each.run(0.0, 0.1, 5)
-        state = fmu.fmu.getFMUState()
-        fmu.run(0.5, 0.1, 3)
-        fmu.fmu.setFMUState(state)
-        assert fmu.run(0.5, 0.02, 10) == straight.run(0.5, 0.02, 10)
-
-
-def test_a_failed_step_leaves_no_trace():
-    path = pendulum(push="sqrt(push)")
-    with instance(path) as fmu, instance(path) as straight:
-        for each in (fmu, straight):
-            each.initialise(push=4.0)
-            each.run(0.0, 0.1, 3)
-        fmu.set(push=-4.0)
-        assert not fmu.step(0.3, 0.1)
-        assert fmu.get("solver.status") == Status.NOT_FINITE
-        assert fmu.last_successful_time == 0.3
-        assert "t = 0.3 s" in fmu.log[-1][2]
-        fmu.set(push=4.0)
-        assert fmu.run(0.3, 0.1, 3) == straight.run(0.3, 0.1, 3)
-        assert fmu.get("solver.status") == 0
-
-
 # ------------------------------------------------------------------------------- many instances
-
-
-def test_two_fmus_in_one_process_move_as_they_do_alone():
-    alone = {}
-    for name in ("double_pendulum", "four_bar"):
-        with instance(scene_fmu(name)) as fmu:
-            fmu.initialise()
-            alone[name] = fmu.run(0.0, 0.05, 10)
-    with instance(scene_fmu("double_pendulum")) as a, instance(scene_fmu("four_bar")) as b:
-        rows = {"double_pendulum": [], "four_bar": []}
-        a.initialise()
-        b.initialise()
-        for i in range(10):
-            rows["double_pendulum"] += a.run(i * 0.05, 0.05, 1)
-            rows["four_bar"] += b.run(i * 0.05, 0.05, 1)
-    assert rows == alone
 
 
 def test_what_is_read_before_the_first_step_does_not_change_it():

@@ -6,16 +6,10 @@ import functools
 import math
 from pathlib import Path
 
-import numpy as np
 import pytest
-from fmpy import simulate_fmu
-from fmpy.validation import validate_fmu
 
-import solver
-from tests.commands import run
 from tests.contact_scenes import (
     ball,
-    belt,
     chain_over_a_floor,
     rod_that_falls,
     slider,
@@ -23,7 +17,7 @@ from tests.contact_scenes import (
     toml_of,
 )
 from tests.fmu_instance import instance, text_fmu
-from tests.problems import GRAVITY, Content, mechanism
+from tests.problems import GRAVITY, Content
 
 HITS = [0.451523640985731, 1.1739614665629, 1.75191172702464]
 
@@ -70,34 +64,6 @@ def fmu_of(name: str) -> Path:
     return text_fmu(SCENES[name]())
 
 
-@pytest.mark.parametrize("name", SCENES)
-def test_an_fmu_with_contacts_gives_what_the_library_gives(name):
-    # Every output at every communication point, with impacts within the steps: the same bits.
-    trajectory = solver.simulate(solver.loads(SCENES[name]()))
-    result = simulate_fmu(str(fmu_of(name)))
-    names = [each for each in result.dtype.names or () if each != "time"]
-    assert any(each.endswith(".impacts") for each in names)
-    for each in names:
-        assert np.array_equal(result[each], trajectory[each]), each
-    assert result["energy.error"].max() < 1e-13
-    assert result["energy.impact"][-1] > 0.0
-
-
-def test_the_ball_in_an_fmu_is_where_its_parabolas_say():
-    result = simulate_fmu(str(fmu_of("ball")))
-    assert result["p.y"][-1] == pytest.approx(0.260741728327057, abs=2e-14)
-    assert result["floor.impacts"][-1] == 3.0
-    for hit in HITS:
-        assert np.diff(result["floor.impacts"])[math.floor(hit / 0.1)] == 1.0
-
-
-@pytest.mark.parametrize("name", SCENES)
-def test_check_passes_and_the_fmu_is_valid(name, capsys):
-    code, out, error = run(capsys, "check", fmu_of(name))
-    assert (code, error) == (0, ""), out
-    assert validate_fmu(str(fmu_of(name))) == []
-
-
 @pytest.mark.parametrize("bounce", [0.0, 0.3, 1.0])
 def test_a_restitution_that_is_set_at_the_start_takes_effect(bounce):
     # 0.08 s after the hit, within the flight at 0.3 times its speed.
@@ -124,18 +90,6 @@ def test_a_restitution_that_is_tuned_between_two_hits_holds_from_the_next_one():
         assert fmu.get("energy.impact") == pytest.approx(0.36 * GRAVITY, abs=1e-13)
         assert fmu.get("energy.work") == 0.0
         assert fmu.get("energy.error") == pytest.approx(0.0, abs=1e-13)
-
-
-def test_restitution_set_is_restitution_written_in():
-    written = text_fmu(text_of(ball(restitution=0.55), 2.0, 0.1, 0.05))
-    with instance(fmu_of("ball")) as fmu, instance(written) as other:
-        fmu.initialise(bounce=0.55)
-        other.initialise()
-        names = ("p.y", "p.vy", "energy.impact", "floor.impulse")
-        for i in range(15):
-            assert fmu.step(0.1 * i, 0.1)
-            assert other.step(0.1 * i, 0.1)
-            assert [fmu.get(each) for each in names] == [other.get(each) for each in names]
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -165,45 +119,6 @@ def test_a_step_over_an_impact_may_be_taken_back_and_retried(name):
         other.fmu.setFMUState(other.fmu.deserializeFMUState(data))
         assert other.run(start, step, more) == first
         fmu.fmu.freeFMUState(state)
-
-
-def test_friction_and_belts_reach_the_fmu():
-    path = text_fmu(text_of(belt(), 1.0, 0.1, 0.01, order=4))
-    trajectory = solver.simulate(solver.loads(text_of(belt(), 1.0, 0.1, 0.01, order=4)))
-    result = simulate_fmu(str(path))
-    for each in ("p.x", "belt.mode", "belt.slip", "belt.friction", "energy.friction"):
-        assert np.array_equal(result[each], trajectory[each])
-    assert set(result["belt.mode"]) == {1.0, 2.0}
-    assert result["energy.friction"][-1] > 0.0
-
-
-def falling_on_a_stop() -> Content:
-    """Mass that falls along a guide onto a stop, 0.5 m below."""
-    return mechanism(
-        "falling",
-        2,
-        parameters={"low": {"value": -0.5, "unit": "m", "variability": "tunable"}},
-        bodies={"b": {"position": [0.0, 0.0], "mass": 1.0, "inertia": 1.0}},
-        joints={"guide": {"type": "prismatic", "bodies": ["ground", "b"], "axis": [0, 1]}},
-        contacts={"stop": {"type": "stop", "joint": "guide", "min": "low"}},
-    )
-
-
-def test_a_stop_is_where_the_start_sets_it_and_where_it_is_moved_to():
-    with instance(text_fmu(text_of(falling_on_a_stop(), 1.0, 0.1, 0.01))) as fmu:
-        fmu.initialise(low=-0.3)
-        fmu.run(0.0, 0.1, 5)
-        assert fmu.get("b.y") == pytest.approx(-0.3, abs=1e-14)
-        fmu.set(low=-0.9)
-        fmu.run(0.5, 0.1, 5)
-        assert fmu.get("b.y") == pytest.approx(-0.9, abs=1e-14)
-        assert fmu.get("energy.impact") == pytest.approx(0.9 * GRAVITY, rel=1e-13)
-        assert fmu.get("energy.work") == 0.0
-        fmu.set(low=-0.8)
-        assert "contact 'stop': its gap would be -0.1 m" in fmu.log[-1][2]
-        assert not fmu.step(1.0, 0.1)
-        fmu.set(low=-1.0)
-        assert fmu.step(1.0, 0.1)
 
 
 def test_friction_that_is_set_and_tuned_takes_effect():

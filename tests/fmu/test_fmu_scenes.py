@@ -152,19 +152,6 @@ def test_its_picture_fills_the_frame(name):
 # ---------------------------------------------------------------------------------------- ramps
 
 
-def test_a_ramped_input_arrives_at_the_end_of_the_step():
-    with instance(scene_fmu("double_wishbone")) as fmu:
-        fmu.initialise()
-        fmu.set(road=0.004)
-        assert fmu.get("patch.z") == 0.0
-        assert fmu.step(0.0, 0.01)
-        assert fmu.get("patch.z") == pytest.approx(0.004, abs=1e-16)
-        assert fmu.get("patch.vz") == pytest.approx(0.4, rel=1e-9)
-        assert fmu.step(0.01, 0.01)
-        assert (fmu.get("patch.z"), fmu.get("patch.vz")) == pytest.approx((0.004, 0.0), abs=1e-12)
-        assert abs(fmu.get("energy.error")) < 1e-11
-
-
 @pytest.mark.parametrize("name", RAMPED)
 def test_a_state_saved_in_the_middle_of_a_ramp_repeats_bit_for_bit(name):
     integrator = moved(name)
@@ -190,24 +177,6 @@ def test_a_state_saved_in_the_middle_of_a_ramp_repeats_bit_for_bit(name):
 
 
 # ------------------------------------------------------------------------------------- settings
-
-
-@pytest.mark.parametrize("order", [2.0, 4.0, 6.0, 8.0])
-def test_the_order_is_a_setting(order):
-    integrator = Integrator(solver.assemble(solver.load(SCENES / "stewart.toml")))
-    integrator["solver.order"] = order
-    integrator.initialise(0.0)
-    with instance(scene_fmu("stewart")) as fmu:
-        fmu.initialise(solver__order=order)
-        assert fmu.get("solver.order") == order
-        drive(fmu, integrator, 0, 3)
-
-
-def test_an_order_that_no_composition_has_is_refused():
-    with instance(scene_fmu("stewart")) as fmu:
-        fmu.initialise(solver__order=3.0)
-        assert "solver.order: must be 2, 4, 6 or 8" in fmu.log[-1][2]
-        assert not fmu.step(0.0, 0.01)
 
 
 def test_what_the_inputs_contradict_is_closed_only_where_that_is_asked_for():

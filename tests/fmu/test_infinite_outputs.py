@@ -7,9 +7,7 @@ import json
 
 import pytest
 
-from build_fmu import sweep
 from build_fmu.run import run_fmu
-from build_fmu.testing import assert_conserves, assert_follows
 from fmu_src import status
 from tests.commands import run
 from tests.fmu_instance import PENDULUM, Instance, instance, text_fmu
@@ -100,19 +98,3 @@ def test_simulate_ends_with_3_and_the_sentence(capsys):
     assert json.loads(out)["finished"]
     assert json.loads(out)["reason"] == SENTENCE
     assert f"holonom: {LOGGED}: {SENTENCE}" in err
-
-
-def test_a_sweep_records_the_run_as_failed():
-    arguments = {"stop_time": 0.3, "engine": "serial", "form": "sweep"}
-    found = sweep(text_fmu(TEXT), grid={"mass": [1.0, 2.0]}, **arguments)
-    assert found.failed["reason"].tolist() == [SENTENCE] * 2
-    clean = sweep(text_fmu(TEXT), grid={"mass": [1.0]}, outputs=["A.x"], **arguments)
-    assert not len(clean.failed)
-
-
-def test_assertions_of_users_fail_with_the_sentence():
-    with pytest.raises(AssertionError, match=SENTENCE):
-        assert_conserves(text_fmu(TEXT), stop_time=0.3)
-    reference = {"time": [0.0, 0.1, 0.2], "root": [0.0, 0.0, 0.0]}
-    with pytest.raises(AssertionError, match=SENTENCE):
-        assert_follows(text_fmu(TEXT), reference, absolute=1.0)

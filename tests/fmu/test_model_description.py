@@ -89,13 +89,6 @@ def test_value_references_of_fmi_3_are_places_in_the_list_from_1_and_0_for_the_t
     assert any("1" in each for each in depends)
 
 
-def test_every_unit_of_the_scenes_has_base_units():
-    root = root_of(scene_fmu("four_bar"))
-    units = root.findall("UnitDefinitions/Unit")
-    assert {"m", "m/s", "J", "N.m"} <= {unit.get("name") for unit in units}
-    assert all(unit.find("BaseUnit") is not None for unit in units)
-
-
 def test_all_outputs_are_real_and_stand_in_the_structure():
     description = fmpy.read_model_description(str(scene_fmu("double_pendulum")))
     outputs = [v for v in description.modelVariables if v.causality == "output"]

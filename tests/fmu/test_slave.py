@@ -112,15 +112,6 @@ def test_a_refused_value_is_named_and_no_step_is_taken(values, words):
         assert_finite(fmu)
 
 
-def test_a_fixed_parameter_cannot_be_set_after_the_initialization():
-    with instance(pendulum()) as fmu:
-        fmu.initialise()
-        fmu.set(length=2.0)
-        assert "length" in fmu.log[-1][2]
-        assert fmu.get("length") == 1.0
-        assert not fmu.step(0.0, 0.1)
-
-
 def test_a_list_with_one_bad_value_changes_nothing():
     with instance(pendulum()) as fmu:
         fmu.fmu.setReal([fmu.references["length"], fmu.references["mass"]], [3.0, math.nan])

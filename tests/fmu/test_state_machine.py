@@ -322,20 +322,6 @@ def test_steps_of_any_size_end_at_the_last_digit_of_the_time_that_was_asked_for(
         assert fmu.get("energy.error") < 1e-9
 
 
-def test_irregular_steps_reach_the_same_place_as_regular_ones():
-    """Communication points on a common grid of internal steps leave no trace in the motion."""
-    with instance(text_fmu(SCENE)) as regular, instance(text_fmu(SCENE)) as irregular:
-        for fmu in (regular, irregular):
-            fmu.initialise()
-        regular.run(0.0, 0.1, 10)
-        t = 0.0
-        for n in (1, 30, 2, 7, 20, 40):
-            assert irregular.step(t, n * 0.01)
-            t += n * 0.01
-        for name in ("A.x", "A.y", "A.vx"):
-            assert irregular.get(name) == pytest.approx(regular.get(name), abs=1e-9)
-
-
 # ------------------------------------------------------------------------------- failed steps
 
 
@@ -390,15 +376,3 @@ def test_the_same_step_tried_again_and_again_is_told_to_be_shorter(native):
         for _ in range(3):
             assert not fmu.step(0.1, 0.1)
         assert "all of 0.1 s: take a smaller communication step" in fmu.log[-1][2]
-
-
-def test_refused_and_failed_steps_in_any_order_never_show_a_number_that_is_none():
-    moves = {"push": (-4.0, 0.0, math.inf), "h": (0.1, -1.0, 3.0)}
-    with instance(text_fmu(SCENE)) as fmu:
-        initialized(fmu)
-        for push, h in itertools.product(*moves.values()):
-            fmu.set(push=push)
-            taken = fmu.step(time_of(fmu), h)
-            assert all(map(math.isfinite, fmu.outputs()))
-            assert taken == (push == 0.0 and h == 0.1)
-            assert bool(fmu.get("solver.status")) != taken

@@ -88,23 +88,6 @@ def depends(name):
     )
 
 
-@pytest.mark.parametrize(
-    ("name", "inputs"),
-    [
-        ("floor.force", set()),  # of the step that led there
-        ("floor.friction", set()),
-        ("floor.slip", {"belt"}),
-        ("floor.gap", set()),
-        ("floor.mode", set()),
-        ("floor.impulse", set()),
-        ("limit.force", set()),
-        ("solver.events", set()),
-    ],
-)
-def test_the_slip_on_a_belt_follows_its_speed_at_once_and_nothing_else_an_input(name, inputs):
-    assert depends(name)[0] == inputs
-
-
 def test_what_a_contact_is_made_of_acts_on_it_at_the_start():
     assert {"e", "mu", "static", "radius", "push", "belt"} <= depends("floor.force")[1]
     assert "low" in depends("limit.gap")[1]

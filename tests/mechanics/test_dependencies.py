@@ -142,11 +142,6 @@ def names(model: Model, indices) -> set[str]:
     return {model.variables[i].name for i in indices}
 
 
-def directly(name: str, output: str) -> set[str]:
-    model = model_of(name)
-    return names(model, known_of(name)[model.index(output)].directly)
-
-
 def at_the_start(name: str, output: str) -> set[str]:
     model = model_of(name)
     found = names(model, known_of(name)[model.index(output)].at_the_start)
@@ -154,34 +149,6 @@ def at_the_start(name: str, output: str) -> set[str]:
 
 
 # ------------------------------------------------------------------------ what is written there
-
-
-def test_at_a_communication_point_states_and_what_the_last_step_brought_follow_no_input():
-    energies = [f"energy.{word}" for word in ("kinetic", "potential", "total", "work", "error")]
-    motion = ["A.x", "A.vx", "C.x", "E.y"]
-    for output in (*motion, *energies, "spring.force", "rod.force", "hanger.force", "weight"):
-        assert directly("two", output) == set()
-    assert directly("two", "sum") == {"pull"}
-
-
-def test_what_a_formula_makes_of_an_input_that_is_held_follows_it_at_once():
-    assert directly("laws", "spring.force") == directly("laws", "pull") == {"stiff", "rest"}
-    assert directly("laws", "shock.force") == {"loss"}
-    assert directly("laws", "motor.torque") == directly("laws", "power") == {"twist"}
-    for output in ("energy.potential", "energy.total", "energy.work"):
-        assert directly("laws", output) == {"stiff", "rest"}
-    assert directly("laws", "energy.kinetic") == directly("laws", "energy.balance") == set()
-    assert directly("laws", "floor.slip") == {"belt"}
-    assert directly("laws", "constraint.velocity") == {"speed", "slide"}
-    assert directly("laws", "constraint.position") == directly("laws", "crank.angle") == set()
-    assert directly("laws", "sum") == {"shown"}
-
-
-def test_an_input_that_moves_over_the_next_step_moves_nothing_before_it():
-    model = model_of("laws")
-    later = {model.index("ramped"), model.index("smoothed")}
-    assert all(later.isdisjoint(found.directly) for found in known_of("laws").values())
-    assert later <= {*known_of("laws")[model.index("late")].at_the_start}
 
 
 def test_at_the_start_a_mechanism_depends_on_all_that_it_is_made_of_and_on_nothing_else():

@@ -17,8 +17,7 @@ from build_kernel.compiler import FLAGS, system_compiler, zig_compiler
 from solver import SceneError
 from solver.mechanics.elimination import MOST_PRODUCTS, Graph, Pattern, TreeBody, eliminate
 from solver.runtime.layout import MOST_IN_GROUP
-from tests.kernel_calls import kernel_of
-from tests.problems import Array, assemble, chain, four_bar, free_system, observe, start, tree
+from tests.problems import Array, four_bar, observe, start
 
 
 @st.composite
@@ -86,43 +85,6 @@ def scatter(K: Array, place: Sequence[int], pattern: Pattern) -> Array:
     order = np.array(place)
     values[pattern.slots(order[i], order[j])] = K[i, j]
     return values
-
-
-def factor_and_solve(pattern: Pattern, values: Array, right: Array) -> Array:
-    """LU without pivoting on the tables alone, as the kernel does it."""
-    x, target, column = right.copy(), 0, 0
-    pieces = []
-    for k in range(len(pattern.ptr) - 1):
-        begin, end = pattern.ptr[k], pattern.ptr[k + 1]
-        m = (end - begin - 1) // 2
-        later = pattern.column[column : column + m]
-        upper, lower = values[begin + 1 : begin + 1 + m], values[begin + 1 + m : end]
-        lower /= values[begin]
-        for i in range(m):
-            for j in range(m):
-                values[pattern.target[target]] -= lower[i] * upper[j]
-                target += 1
-            x[later[i]] -= lower[i] * x[k]
-        pieces.append((k, values[begin], upper, later))
-        column += m
-    for k, pivot, upper, later in reversed(pieces):
-        x[k] = (x[k] - sum(u * x[p] for u, p in zip(upper, later, strict=True))) / pivot
-    return x
-
-
-@given(graphs(), st.integers(0, 2**32 - 1))
-def test_the_factors_on_the_pattern_solve_what_dense_algebra_solves(graph, seed):
-    # No pivoting: growth is bounded by the condition of these matrices, some 1e4 at the worst.
-    random = np.random.default_rng(seed)
-    pattern = eliminate(graph)
-    place = places(graph, pattern)
-    K = kkt_matrix(graph, random)
-    right = random.normal(size=len(K))
-    ordered = np.empty_like(right)
-    ordered[place] = right
-    solved = factor_and_solve(pattern, scatter(K, place, pattern), ordered)[place]
-    expected = np.linalg.solve(K, right)
-    assert np.linalg.norm(solved - expected) <= 1e-9 * np.linalg.norm(expected)
 
 
 @pytest.fixture(scope="module", params=[[], ["-DHM_NO_VECTORS"]], ids=["vectors", "no vectors"])
@@ -262,19 +224,6 @@ def test_bodies_with_their_joints_solve_what_dense_algebra_solves(block_lu, join
 
 
 @given(graphs())
-def test_every_unknown_has_one_place_and_blocks_stay_together(graph):
-    assert sorted(places(graph, eliminate(graph))) == list(range(sum(graph.sizes)))
-
-
-@given(graphs())
-def test_a_row_comes_after_one_of_its_nodes(graph):
-    # Else its pivot would be the bare compliance, which is as good as zero.
-    position = eliminate(graph).position
-    for row, nodes in graph.anchors.items():
-        assert position[row] > min(position[a] for a in nodes)
-
-
-@given(graphs())
 def test_eliminated_rows_find_coordinates_of_their_own_as_long_as_there_are_any(graph):
     # A row that is carried by coordinates which other rows have used up has no pivot: only rows
     # that no order could carry may come so, and these after all nodes.
@@ -319,41 +268,6 @@ def test_dependent_rows_and_singular_places_are_passed():
     # Which of equal rows carries how much is not determined; the penalty shares it out evenly.
     for other in (3, 4):
         assert values[:, other] == pytest.approx(values[:, 2], rel=1e-6, abs=1e-6)
-
-
-def test_the_tangent_of_the_kernel_fills_the_pattern_and_nothing_else():
-    # K times unit vectors, through the kernel: entries outside the graph are exactly zero.
-    for content in (chain(4), free_system(3), four_bar(2), tree(6, dimension=3)):
-        integrator = start(content, h=0.01)
-        model = integrator.model
-        n, rows = model.sizes["dim"] * model.sizes["n_free"], model.sizes["n_rows"]
-        columns = []
-        for k in range(n + rows):
-            unit = np.eye(n + rows)[k].tolist()
-            status, _, column = kernel_of(integrator).probe(0.01, [0.0] * n, [1.0] * rows, unit)
-            assert status == 0
-            columns.append(column)
-        K = np.array(columns).T
-        assert (np.linalg.matrix_rank(K) == n + rows) or content["name"].startswith("four_bar")
-        assert np.count_nonzero(K) <= model.sizes["n_lu_values"]
-        coupled = (K != 0) | (K.T != 0)
-        dim = model.sizes["dim"]
-        for row, form in enumerate(model.tables["row_form"]):
-            first, last = model.tables["form_ptr"][form], model.tables["form_ptr"][form + 1]
-            nodes = {a for a in model.tables["form_node"][first:last] if a * dim < n}
-            near = {dim * a + k for a in nodes for k in range(dim)} | {n + row}
-            assert set(np.flatnonzero(coupled[n + row])) <= near
-
-
-def test_assembly_of_a_thousand_bodies_is_a_matter_of_counting():
-    model = assemble(chain(1000))
-    assert model.sizes["n_rows"] == 1000
-    assert model.sizes["n_lu_values"] == model.tables["lu_ptr"][-1]
-    squares = sum(
-        ((last - first - 1) // 2) ** 2
-        for first, last in zip(model.tables["lu_ptr"], model.tables["lu_ptr"][1:], strict=False)
-    )
-    assert len(model.tables["lu_target"]) == squares
 
 
 def bars(n_points: int, pairs: Sequence[tuple[int, int]]) -> str:

@@ -9,17 +9,7 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import survey
-from solver.scene.joints import JOINTS
 from tests.joint_scenes import COUPLINGS, PAIRS, PLANAR, SPATIAL, pair, train
-
-REACTING = [
-    (dimension, kind)
-    for dimension, kind in PAIRS
-    if any(offer.word == "force.{}" for offer in JOINTS[kind].offers)
-    and kind not in ("point_on_surface", "screw")
-]
-"""Joints with a reaction force at one place; of a screw, the thread's part is a driver's."""
-
 
 EVERY = pytest.mark.parametrize(("dimension", "kind"), [*PAIRS, *COUPLINGS])
 
@@ -84,16 +74,3 @@ def test_a_joint_keeps_second_order(dimension: int, kind: str) -> None:
         assert kind == "fixed"  # one free body: its centre moves on a straight line
         return
     assert np.log2(coarse / fine) == pytest.approx(2.0, abs=0.15)
-
-
-@pytest.mark.parametrize(("dimension", "kind"), REACTING)
-def test_the_reaction_is_what_accelerates_the_second_body(dimension: int, kind: str) -> None:
-    """No other force acts on B: F = m dv/dt of its centre of mass, by central differences."""
-    axes, step = "xyz"[:dimension], 1e-3
-    text = pair(dimension, kind, step).replace("center_of_mass = [0.02, 0.05, -0.03]\n", "")
-    run = _run(text.replace("center_of_mass = [0.02, 0.05]\n", ""), 0.2, step)
-    for axis in axes:
-        speed, force = run[f"B.v{axis}"], run[f"joint.force.{axis}"]
-        acceleration = (speed[2:] - speed[:-2]) / (2 * step)
-        scale = np.max(np.abs(force)) + 1e-3
-        assert np.max(np.abs(force[1:-1] - acceleration)) < 1e-4 * max(scale, 1.0)

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import solver
-from solver.mechanics.mobility import survey
 from tests.mechanism_runs import scene
 from tests.problems import Array
 from tests.work_sums import vector
@@ -83,14 +82,6 @@ MECHANISMS = {
     "four_bar": (["crank.x", "coupler.x", "coupler.y", "A.angle", "C.angle"], "ABCD"),
     "slider_crank": (["crank.x", "rod.y", "slider.x", "A.angle", "E.angle"], "ABED"),
 }
-
-
-@pytest.mark.parametrize("name", MECHANISMS)
-def test_three_rows_of_a_planar_loop_in_space_are_redundant(name):
-    flat, spatial = (survey(solver.assemble(drawn(dimension, name))) for dimension in (2, 3))
-    assert (flat.redundant_rows, spatial.redundant_rows) == (0, 3)
-    assert (flat.mobility, spatial.mobility) == (1, 1)
-    assert spatial.mobility_by_count == -2
 
 
 @pytest.mark.parametrize("across", [0.0, -5.0])

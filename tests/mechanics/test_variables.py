@@ -8,7 +8,7 @@ from solver.mechanics.outputs import named
 from solver.mechanics.sensors import Sensors
 from solver.scene import Distance
 from tests.kernel_calls import kernel_of
-from tests.scene_files import ALL, SCENES
+from tests.scene_files import ALL
 from tests.scene_quantities import quantities_of
 
 
@@ -52,12 +52,3 @@ def test_the_sign_of_every_force_along_a_line_and_torque_about_an_axis_is_descri
             name, _, quantity = variable.name.rpartition(".")
             if name in elements and quantity in ("force", "torque"):
                 assert "positive" in variable.description, variable.name
-
-
-def test_the_rate_of_constraints_falls_with_the_square_of_the_step_at_order_2():
-    model = solver.assemble(solver.load(SCENES / "double_pendulum.toml"))
-    largest = [
-        solver.simulate(model, step_size=0.02, internal_step=h)["constraint.velocity"].max()
-        for h in (4e-3, 2e-3)
-    ]
-    assert 3.8 < largest[0] / largest[1] < 4.2

@@ -3,7 +3,7 @@
 Dense matrices, the equations in the order of the paper (docs/theory), and nothing that a step could
 do without: no prediction, no kept factors, no islands apart, no order above 2, no
 tolerance. `Mechanism` has the matrices of a model at a state, `HalfStep` solves one half step from
-it, `start` and `measurements` have what a run begins with and what its outputs are made of.
+it, `start` has what a run begins with.
 `contacts`, `impacts` and `events` let contacts and frictions change between steps (theory 10).
 """
 

@@ -11,8 +11,7 @@ import pytest
 import solver
 from solver.paper import FORMULATIONS
 from solver.runtime import OptionError, StepError
-from tests.exact_motions import pendulum_angle
-from tests.problems import double_pendulum, pendulum, scene
+from tests.problems import double_pendulum, scene
 
 SCENES = Path(__file__).parents[2] / "scenes"
 
@@ -54,16 +53,6 @@ def by_paper(
     """Run in steps of h, each of which is told."""
     steps = {"step_size": h, "internal_step": h}
     return solver.simulate(mechanism, stop_time=stop, formulation=formulation, **steps, **more)
-
-
-def test_a_pendulum_of_a_scene_swings_as_elliptic_functions_tell():
-    # Second order: a quarter of the error with half the step.
-    errors = []
-    for h in (0.02, 0.01):
-        run = by_paper(scene(pendulum(1.0)), 1.0, h)
-        errors.append(np.abs(run["A.x"] - np.sin(pendulum_angle(run.t, 1.0))).max())
-    assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
-    assert errors[1] < 1e-3
 
 
 TIED = """

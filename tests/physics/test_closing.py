@@ -37,13 +37,6 @@ def test_a_straight_arm_reaches_what_is_in_reach(kind, far):
     assert all(reaches(kind, target) for target in targets(kind, far, 3, seed=7))
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("far", [0.1, 0.3, 0.6, 1.0])
-@pytest.mark.parametrize("kind", HANDS)
-def test_a_straight_arm_reaches_25_of_25(kind, far):
-    assert sum(reaches(kind, target) for target in targets(kind, far, 25, seed=1)) == 25
-
-
 @pytest.mark.parametrize("reach", [1.5, 0.3])
 def test_an_arm_bends_where_nothing_tells_it_which_way(reach):
     """The hand is asked for along the arm: 2 cos(e/2) = reach, e the angle of the elbow."""
@@ -144,12 +137,6 @@ def test_an_excavator_keeps_its_branch_at_all_strokes(strokes):
     test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes)
 
 
-@pytest.mark.long
-def test_an_excavator_is_closed_in_56_poses_of_56_and_at_other_strokes():
-    for strokes in STROKES + OTHERS:
-        test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes)
-
-
 def fmu_poses(strokes: list) -> list[float]:
     """Largest error of an angle in each pose, of a native FMU by its inputs."""
     errors = []
@@ -164,11 +151,6 @@ def fmu_poses(strokes: list) -> list[float]:
 
 def test_an_fmu_closes_it_with_its_inputs():
     assert max(fmu_poses(STROKES[3::11])) < 1e-9
-
-
-@pytest.mark.long
-def test_an_fmu_closes_56_poses_of_56():
-    assert max(fmu_poses(STROKES)) < 1e-9
 
 
 CRANKS = """

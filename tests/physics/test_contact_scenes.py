@@ -78,30 +78,6 @@ def test_nothing_penetrates_and_nothing_pulls(name):
         assert found[f"{contact}.force"].min() >= 0.0
 
 
-def test_a_bouncing_ball_rests_after_four_seconds():
-    # sqrt(2 h/g) (1 + e)/(1 - e) = 4.0637 s, and all of m g h is lost.
-    assert until(begin("bouncing_ball"), 2.0)["ball.y"] == pytest.approx(0.260741728327057)
-    found = played("bouncing_ball")
-    assert found["floor.mode"][81] == 0.0
-    assert found["floor.mode"][82] == 1.0
-    assert found["energy.impact"][-1] == pytest.approx(9.81, rel=1e-14)
-
-
-def test_a_mass_in_a_circle_loses_what_the_reduced_equations_lose():
-    found = played("mass_in_a_circle")
-    assert found["energy.impact"][-1] == pytest.approx(6.891693941328, abs=1e-11)
-    assert found["mass.x"][-1] == pytest.approx(-0.6850412556, abs=1e-5)
-
-
-def test_a_worn_wrist_pin_meets_its_hole_nine_times_in_twenty_milliseconds():
-    # The ninth time after 17.3882 ms, the tenth after 21.2871 ms.
-    integrator = until(begin("slider_crank_with_clearance"), 0.0173881)
-    assert integrator["wrist_pin.impacts"] == 8.0
-    assert until(integrator, 0.0173883)["wrist_pin.impacts"] == 9.0
-    assert until(integrator, 0.021287)["wrist_pin.impacts"] == 9.0
-    assert until(integrator, 0.0212872)["wrist_pin.impacts"] == 10.0
-
-
 def test_a_slider_with_play_stays_within_it_and_meets_both_walls():
     found = played(PLAY)
     corners = ("upper_left", "upper_right", "lower_left", "lower_right")
@@ -152,75 +128,6 @@ def test_a_worn_pin_of_a_four_bar_linkage_knocks_and_rubs():
     assert found["energy.friction"][-1] > found["energy.impact"][-1] > 0.0
 
 
-def test_the_block_on_a_belt_moves_periodically():
-    # Period 0.671238898038469 s, and 0.402743338823081 J from the belt in each.
-    first = until(begin("belt_and_block"), 3.0)
-    before, place = number(first, "energy.friction"), number(first, "block.x")
-    later = until(first, 3.0 + 5 * 0.671238898038469)
-    assert later["block.x"] == pytest.approx(place, abs=1e-6)
-    taken = number(later, "energy.friction") - before
-    assert taken == pytest.approx(5 * 0.402743338823081, abs=1e-6)
-    assert played("belt_and_block")["block.x"].max() <= 0.0582842712474619
-
-
-def test_the_falling_rod_lands_and_ends_flat():
-    integrator = until(begin("falling_rod"), 0.3248706)
-    assert integrator["lower_end.impacts"] == 0.0
-    assert until(integrator, 0.3248708)["lower_end.impacts"] == 1.0
-    assert until(integrator, 0.4374693)["upper_end.impacts"] == 0.0
-    assert until(integrator, 0.4374695)["upper_end.impacts"] == 1.0
-    found = played("falling_rod")
-    assert found["energy.total"][-1] == pytest.approx(0.0, abs=1e-12)
-
-
-def test_the_rocking_block_keeps_housners_share_at_each_landing():
-    # (1 - 3/2 sin(alpha)^2)^2 of the kinetic energy, so that of 0.2 rad is left a known height.
-    integrator = until(begin("rocking_block"), 0.338)
-    assert integrator["left.impacts"] == 0.0
-    until(integrator, 0.3381)
-    assert integrator["left.impacts"] == 1.0
-    start = 9.81 * (0.1 * math.sin(0.2) + 0.3 * (math.cos(0.2) - 1.0))
-    share = (1.0 - 1.5 * 0.1**2 / (0.1**2 + 0.3**2)) ** 2
-    assert integrator["energy.impact"] == pytest.approx((1.0 - share) * start, rel=1e-10)
-
-
-def test_the_bowling_ball_rolls_with_five_sevenths_of_its_speed():
-    found = played("bowling_ball")
-    assert found["lane.mode"][23] == 2.0
-    assert found["lane.mode"][24] == 1.0  # from 1.16499 s on
-    assert found["ball.vx"][-1] == pytest.approx(30.0 / 7.0, abs=1e-5)
-    lost = found["energy.friction"][-1] + found["energy.impact"][-1]
-    assert lost == pytest.approx(7.0 * 36.0 / 7.0, rel=1e-5)
-
-
-def test_the_thrown_block_stops_on_the_incline():
-    found = played("thrown_block")
-    assert found["incline.mode"][34] == 2.0
-    assert found["incline.mode"][35] == 1.0  # 0.3457 s
-    assert np.hypot(found["block.vx"], found["block.vy"])[-1] < 1e-12
-
-
-def test_the_last_ball_of_the_cradle_rises_as_high_as_the_first_one_fell():
-    found = played("newtons_cradle")
-    assert found["last"].max() == pytest.approx(0.6, abs=1e-3)
-    assert found["first"][100:].max() == pytest.approx(0.6, abs=1e-2)
-    assert found["energy.impact"][-1] < 1e-11
-
-
-def test_the_pendulum_at_its_stop_without_friction_strikes_when_it_should():
-    integrator = begin("pendulum_with_stop", friction=0.0)
-    for i, time in enumerate((0.636375398716223, 1.95380341134223, 3.35390204401844)):
-        assert until(integrator, time - 1e-5)["stop.impacts"] == i
-        assert until(integrator, time + 1e-5)["stop.impacts"] == i + 1.0
-
-
-def test_the_falling_chain_lies_on_the_floor_without_energy():
-    found = played("falling_chain")
-    assert found["energy.total"][-1] == pytest.approx(0.0, abs=1e-12)
-    lost = found["energy.impact"][-1] + found["energy.friction"][-1]
-    assert lost == pytest.approx(found["energy.total"][0], rel=1e-12)
-
-
 def test_the_woodpecker_pecks_in_a_rhythm_and_sinks_by_equal_steps():
     found = played("woodpecker_toy")
     pecks = np.flatnonzero(np.diff(found["beak.impacts"]))
@@ -254,16 +161,6 @@ def test_jelletts_integral_converges_with_the_order(order):
     assert observed_order(steps, errors) == pytest.approx(order, abs=0.3)
 
 
-def test_a_follower_leaves_its_cam_and_lands_as_in_closed_form():
-    # 0.0302 and 0.0666 s, 0.0557996132142155 J; of 72 points it lifts 0.00001 s earlier.
-    integrator = until(begin("cam_and_follower"), 0.0301411762602959)
-    assert integrator["cam.mode"] == 1.0
-    assert until(integrator, 0.0301811762602959)["cam.mode"] == 0.0
-    assert until(integrator, 0.0665921038986019)["cam.impacts"] == 0.0
-    assert until(integrator, 0.0666001038986019)["cam.impacts"] == 1.0
-    assert integrator["energy.impact"] == pytest.approx(0.0557996132142155, abs=1e-6)
-
-
 def test_a_wheel_crosses_the_backlash_when_it_should_and_rattles_on_both_flanks():
     # 0.02/2 sin(40 t) + 0.2/(2 0.05) t^2 of 0.005 rad; the pinion's engine feels no knock.
     root = brentq(lambda t: 0.01 * math.sin(40.0 * t) + 2.0 * t**2 - 0.005, 0.0, 0.03)
@@ -278,35 +175,6 @@ def test_a_wheel_crosses_the_backlash_when_it_should_and_rattles_on_both_flanks(
     assert play.min() < -0.0049
 
 
-def test_the_wheel_of_a_quarter_car_leaves_the_road_behind_a_hump():
-    # From 0.34474 to 0.39063 s, and its landing takes 23.5896 J.
-    integrator = until(begin("quarter_car"), 0.34464)
-    assert integrator["tyre.mode"] == 1.0
-    assert until(integrator, 0.34484)["tyre.mode"] == 0.0
-    before, impacts = number(integrator, "energy.impact"), number(integrator, "tyre.impacts")
-    assert until(integrator, 0.3905)["tyre.impacts"] == impacts
-    assert until(integrator, 0.3907)["tyre.impacts"] == impacts + 1.0
-    assert number(integrator, "energy.impact") - before == pytest.approx(23.58955156, rel=1e-3)
-    assert until(integrator, 1.5)["car.y"] == pytest.approx(0.80542123, abs=1e-5)
-
-
-def test_a_ball_in_a_bowl_moves_by_the_reduced_equations():
-    integrator = until(begin("ball_in_a_bowl"), 2.0)
-    place = [integrator[f"ball.{axis}"] for axis in "xyz"]
-    assert place == pytest.approx([-0.4749804981274, 0.0216948615393, -0.592214966233], abs=1e-9)
-    assert played("ball_in_a_bowl")["bowl.mode"].min() == 1.0
-
-
-def test_a_ball_leaves_two_hills_and_lands_behind_them():
-    integrator = begin("ball_on_hills")
-    for lift, land in ((0.2816252221903, 0.4481808782893), (0.8520982395137, 0.9976538522032)):
-        assert until(integrator, lift - 1e-5)["hills.mode"] == 1.0
-        assert until(integrator, lift + 1e-5)["hills.mode"] == 0.0
-        assert until(integrator, land - 1e-5)["hills.mode"] == 0.0
-        assert until(integrator, land + 1e-5)["hills.mode"] == 1.0
-    assert integrator["energy.impact"] == pytest.approx(0.03812644165997, abs=1e-9)
-
-
 def test_a_die_tumbles_into_a_bowl_and_rests_on_a_face():
     """Three corners carry it; the normals there lean a little, and friction has a part of it."""
     found = played("die_in_a_bowl")
@@ -314,14 +182,6 @@ def test_a_die_tumbles_into_a_bowl_and_rests_on_a_face():
     assert found["energy.kinetic"][-1] <= 1e-12
     assert found["bowl.force"][-1] == pytest.approx(0.2 * 9.81, rel=0.02)
     assert found["energy.friction"][-1] > 0.005
-
-
-def test_a_pile_of_discs_rests_at_a_known_height():
-    found = played("pile_of_discs")
-    assert found["energy.kinetic"][-1] <= 1e-20
-    assert 21.0 * 0.1 * 9.81 * found["height"][-1] == pytest.approx(7.187239, abs=1e-5)
-    modes = [values[-1] for name, values in found.items() if name.endswith(".mode")]
-    assert modes.count(1.0) == 42
 
 
 def test_a_ratchet_gives_way_by_less_than_a_tooth_and_advances():
@@ -378,16 +238,6 @@ def test_the_lock_of_a_geneva_wheel_holds_a_load_either_way(load):
         assert beyond == pytest.approx(math.copysign(play, load), rel=0.025)
 
 
-def test_a_disc_rolls_with_two_thirds_of_its_speed():
-    # From 0.50968 s on; it has lost a third of its energy.
-    found = played("bowling_disc")
-    assert (found["floor.mode"][25], found["floor.mode"][26]) == (2.0, 1.0)
-    assert found["disc.vx"][-1] == pytest.approx(2.0, abs=1e-12)
-    assert found["disc.angular_velocity"][-1] == pytest.approx(-8.0, abs=1e-11)
-    lost = found["energy.friction"][-1] + found["energy.impact"][-1]
-    assert lost == pytest.approx(1.5, rel=1e-12)
-
-
 def test_a_ball_on_a_green_slides_until_it_rolls_and_then_keeps_its_energy():
     found = played("putting_green")
     modes = found["green.mode"]
@@ -401,24 +251,7 @@ def test_a_ball_on_a_green_slides_until_it_rolls_and_then_keeps_its_energy():
     assert np.ptp(found["ball.z"]) > 0.03
 
 
-def test_dominoes_fall_one_after_the_other():
-    found = played("dominoes")
-    falls = [np.flatnonzero(found[f"{name}.angle"] < -0.02)[0] for name in "abcef"]
-    assert np.all(np.diff(falls) >= 5)
-    pushes = [float(found[f"{pair}.impacts"][-1]) for pair in ("a_b", "b_c", "c_e", "e_f")]
-    assert min(pushes) >= 1.0
-
-
 def test_a_stick_comes_to_rest_across_another_one():
     found = played("crossed_sticks")
     assert found["sticks.impacts"][-1] >= 1.0
     assert (found["sticks.mode"][-1], found["upper_floor.mode"][-1]) == (1.0, 1.0)
-
-
-def test_eulers_disc_goes_round_the_faster_the_lower_it_lies():
-    # By 2 sqrt(g/(R sin(tilt))) where its centre stays, which a slow loss of energy nearly lets it.
-    found = played("eulers_disc")
-    round_ = np.unwrap(np.arctan2(found["disc.wy"], found["disc.wx"]))
-    rates, sines = np.diff(round_) / 0.02, 0.5 * (found["sine"][1:] + found["sine"][:-1])
-    assert found["sine"][-1] < 0.3 * found["sine"][0]
-    assert rates == pytest.approx(2.0 * np.sqrt(9.81 / (0.0375 * sines)), rel=0.2)

@@ -25,8 +25,6 @@ from tests.contact_scenes import (
 from tests.problems import GRAVITY, mechanism, start
 
 SLIDER_STOP, SLIDER_PLACE, SLIDER_LOSS = 0.509683995922528, 0.382262996941896, 1.125
-INCLINE_TURN, INCLINE_PLACE = 0.311284942023868, -3.93975673279302
-INCLINE_SPEED, INCLINE_LOSS = -5.03464649614911, 7.85549146651316
 BELT_FIRST_SLIP, BELT_SLIP_TIME, BELT_PERIOD = 0.25, 0.471238898038469, 0.671238898038469
 BELT_LOSS, BELT_RIGHT = 0.402743338823081, 0.0582842712474619  # of a cycle; x at the farthest
 DISC_ROLLS, DISC_PLACE = 0.509683995922528, 1.27420998980632
@@ -51,28 +49,6 @@ def test_a_slider_stops_and_stays(h):
     assert integrator["floor.friction"] == pytest.approx(0.0, abs=1e-15)
     assert integrator["energy.friction"] == pytest.approx(SLIDER_LOSS, abs=1e-15)
     assert passed.error < 1e-15
-
-
-def test_a_block_thrown_up_a_steep_incline_turns_and_slides_back():
-    # Slope 0.5 rad beyond the angle of friction: it never sticks, and friction changes its sign.
-    events = events_of(incline(0.5, 0.2, [2.0]), 2.0, 0.05)
-    assert [e.kind for e in events] == ["turn"]
-    assert events[0].time == pytest.approx(INCLINE_TURN, abs=1e-13)
-    integrator = begin(incline(0.5, 0.2, [2.0]), 0.05)
-    cover(integrator, even(2.0, 0.1))
-    assert integrator["p.x"] == pytest.approx(INCLINE_PLACE, abs=1e-13)
-    assert integrator["p.vx"] == pytest.approx(INCLINE_SPEED, abs=1e-13)
-    assert integrator["energy.friction"] == pytest.approx(INCLINE_LOSS, abs=1e-13)
-
-
-def test_a_block_on_a_gentle_incline_sticks_where_it_stops():
-    # tan 0.1 < 0.2. Deceleration g (sin + mu cos); it then holds by g sin.
-    integrator = begin(incline(0.1, 0.2, [2.0]), 0.05)
-    cover(integrator, even(2.0, 0.1))
-    braking = 9.81 * (math.sin(0.1) + 0.2 * math.cos(0.1))
-    assert integrator["p.x"] == pytest.approx(2.0 / braking, abs=1e-14)
-    assert integrator["floor.mode"] == 1.0
-    assert integrator["floor.friction"] == pytest.approx(9.81 * math.sin(0.1), abs=1e-12)
 
 
 def test_a_block_on_a_belt_sticks_and_slips_in_the_period_of_the_closed_form():

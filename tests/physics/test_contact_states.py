@@ -105,15 +105,3 @@ def test_nothing_of_a_contact_is_kept_in_scratch(moment):
         np.asarray(spoiled.work)[:] = math.nan
         spoiled.advance(spoiled.time, t - spoiled.time)
         assert outputs(spoiled) == outputs(integrator)
-
-
-def test_a_state_holds_modes_counts_and_losses():
-    integrator = begin(rod_that_falls(), 0.01)
-    cover(integrator, even(0.43, 0.01))
-    names = ["A.mode", "A.impacts", "A.impulse", "A.slip", "energy.impact", "energy.friction"]
-    before, saved = [number(integrator, name) for name in names], integrator.save()
-    assert before[:2] == [2.0, 1.0]
-    cover(integrator, even(0.8, 0.01, 0.43))
-    assert [number(integrator, name) for name in names] != before
-    integrator.restore(saved)
-    assert [number(integrator, name) for name in names] == before

@@ -142,19 +142,6 @@ def test_one_long_communication_step_is_many_short_ones(make, until, h, contact,
     assert rows[2] == pytest.approx(rows[0], abs=1e-10)
 
 
-def test_communication_steps_do_not_move_events():
-    # Of any length: a parabola has no other point on it.
-    for step in (0.5, 0.31, 0.07):
-        integrator = begin(ball(), step)
-        while integrator.time < 1.9:
-            integrator.advance(integrator.time, step)
-        t = integrator.time
-        hit = 0.451523640985731 * (1.0 + 2.0 * 0.8 + 2.0 * 0.64)
-        speed = 0.8**3 * math.sqrt(2.0 * GRAVITY)
-        height = speed * (t - hit) - 0.5 * GRAVITY * (t - hit) ** 2
-        assert integrator["p.y"] == pytest.approx(height, abs=1e-14)
-
-
 # ------------------------------------------------------------------------------------- the start
 
 
@@ -168,17 +155,6 @@ def test_a_point_drawn_on_the_floor_that_approaches_it_hits_at_the_start():
     cover(integrator, even(0.1, 0.05))
     assert integrator["p.y"] == pytest.approx(0.08 - 0.5 * GRAVITY * 0.01, abs=1e-15)
     assert integrator["floor.impacts"] == 1.0
-
-
-def test_a_point_drawn_at_rest_on_the_floor_stays():
-    integrator = begin(ball(0.0), 0.05)
-    assert integrator["floor.mode"] == 1.0
-    assert integrator["floor.force"] == pytest.approx(GRAVITY, rel=1e-14)
-    cover(integrator, even(1.0, 0.05))
-    assert integrator["p.y"] == 0.0
-    assert integrator["floor.impacts"] == 0.0
-    assert integrator["energy.impact"] == 0.0
-    assert integrator["floor.force"] == pytest.approx(GRAVITY, rel=1e-14)
 
 
 def test_a_point_drawn_on_the_floor_that_leaves_it_flies():

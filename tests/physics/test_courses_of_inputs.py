@@ -87,21 +87,6 @@ def test_an_arm_follows_a_ramped_course_without_a_lag(moved):
     assert found["A.angle"] == pytest.approx(exact, abs=1e-12)
 
 
-def test_the_command_follows_the_file_of_a_course_without_a_lag(capsys, tmp_path):
-    """Of both interpolations; the rows are at the communication points, so that nothing is said."""
-    scene, file, csv = tmp_path / "arm.toml", tmp_path / "u.csv", tmp_path / "out.csv"
-    t = np.arange(0.0, 1.21, 0.02)
-    rows = "".join(f"{x!r},{math.sin(x) ** 2!r}\n" for x in t.tolist())
-    file.write_text(f"time,u\n{rows}")
-    for text in (SMOOTH, RAMPED):
-        scene.write_text(text)
-        arguments = ("--inputs", file, "--stop", "1.2", "--step", "0.02", "--csv", csv)
-        code, _, err = run(capsys, "simulate", scene, *arguments)
-        assert (code, err) == (0, "")
-        found = np.genfromtxt(csv, delimiter=",", names=True, deletechars="")
-        assert found["A.angle"] == pytest.approx(np.sin(found["time"]) ** 2, abs=1e-12)
-
-
 @pytest.mark.parametrize(
     "text",
     [

@@ -113,17 +113,6 @@ def test_other_discrete_gradients_keep_energy_but_not_angular_momentum(name):
     assert np.ptp(moment) > 5e-5
 
 
-@pytest.mark.parametrize("name", OTHERS)
-def test_discrete_gradients_differ_by_the_square_of_the_step(name):
-    steps, apart = [0.04, 0.02, 0.01], []
-    for h in steps:
-        n = round(1.0 / h)
-        ours = bond_of_ours(h, n)
-        q = np.column_stack([vector(ours, "A.", "xy"), vector(ours, "B.", "xy")])
-        apart.append(np.abs(bond(OTHERS[name], h, n)[0] - q).max())
-    assert observed_order(steps, apart) == pytest.approx(2.0, abs=0.2)
-
-
 # ----------------------------------------------------------------- constraints between three points
 
 TRIPLE = """

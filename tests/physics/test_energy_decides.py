@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import pytest
 
-from tests.contact_scenes import rod_that_falls
 from tests.kernels_without_skips import integrator_with, kernel_without, needs_compiler
 from tests.problems import Content, assemble, four_bar
 
@@ -36,9 +35,3 @@ def hyperstatic() -> Content:
 def test_steps_of_a_hyperstatic_mechanism_close_their_ledger_only_because_it_decides(h):
     assert worst_ledger(hyperstatic(), 0.75, h, energy_decides=True) < 1e-13
     assert worst_ledger(hyperstatic(), 0.75, h, energy_decides=False) > 1e-11
-
-
-@pytest.mark.parametrize("energy_decides", [True, False])
-def test_the_increments_of_a_falling_rod_suffice_since_no_solve_is_truncated(energy_decides):
-    # A prototype that solved its rows by truncated singular values closed to 5.4e-7 alone here.
-    assert worst_ledger(rod_that_falls(), 0.8, 0.005, energy_decides=energy_decides) < 1e-13

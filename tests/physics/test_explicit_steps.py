@@ -145,30 +145,6 @@ def test_explicit_steps_have_order_eight(name, stop, count):
     assert 100.0 < coarse / fine < 400.0
 
 
-SWING = """
-name = "swing"
-dimension = 2
-gravity = [0, -9.81]
-[points]
-O = { position = [0, 0], fixed = true }
-A = { position = [0.8, -0.6], mass = 2.0 }
-[joints]
-rod = { type = "distance", points = ["O", "A"] }
-[solver]
-tolerance = 1e-6
-"""
-
-
-def test_reactions_are_those_of_the_place_and_velocity_at_the_same_time():
-    """The end of a step has its own accelerations: S = m (v^2/L + g cos)."""
-    run = Integrator(solver.assemble(solver.loads(SWING)))
-    for _ in range(20):
-        run.advance(run.time, 0.1)
-        y, vx, vy = (float(run[f"A.{name}"]) for name in ("y", "vx", "vy"))
-        assert run["rod.force"] == pytest.approx(2.0 * (vx**2 + vy**2 - 9.81 * y), rel=1e-9)
-        assert run["energy.error"] < 1e-15
-
-
 def test_a_load_that_jumps_where_a_step_ends_costs_no_accuracy_and_no_steps():
     """A mass of 1 kg is pushed by 1 N for 1 s: x = 1/2 + (t - 1) after it."""
     text = """
@@ -186,30 +162,6 @@ def test_a_load_that_jumps_where_a_step_ends_costs_no_accuracy_and_no_steps():
         run.advance(run.time, 0.5)
         assert run["A.x"] == pytest.approx(0.5 * end**2 if end <= 1.0 else end - 0.5, rel=1e-12)
         assert run["energy.work"] == pytest.approx(min(end, 1.0) ** 2 / 2.0, rel=1e-12)
-
-
-@pytest.mark.parametrize("axis", ["", ", axis = [0, 0.6, 0.8]"])
-def test_a_torsion_spring_that_steps_resolve_swings_a_wheel_with_the_root_of_its_stiffness(axis):
-    """J phi'' + k phi = 0 in explicit steps, in the plane and in space."""
-    zero, inertia = ("[0, 0, 0]", "[0.2, 0.2, 0.2]") if axis else ("[0, 0]", "0.2")
-    turn = "[0, 1.2, 1.6]" if axis else "2.0"
-    text = f"""
-        name = "balance"
-        dimension = {3 if axis else 2}
-        [bodies]
-        wheel = {{ position = {zero}, mass = 1.0, inertia = {inertia}, angular_velocity = {turn} }}
-        [joints]
-        axle = {{ type = "revolute", bodies = ["ground", "wheel"], position = {zero}{axis} }}
-        [forces]
-        hair = {{ type = "torsion_spring", joint = "axle", stiffness = 5.0 }}
-        [solver]
-        tolerance = 1e-8
-    """
-    run = Integrator(solver.assemble(solver.loads(text)))
-    for _ in range(10):
-        run.advance(run.time, 0.3)
-        assert steps_explicitly(run)
-        assert run["axle.angle"] == pytest.approx(0.4 * math.sin(5.0 * run.time), abs=3e-8)
 
 
 TURNING = """
@@ -278,25 +230,6 @@ def test_a_composition_passes_a_singular_place_that_leaves_accelerations_undeter
         run.advance(run.time, 0.5)
         assert run["energy.error"] < 1e-13
         assert run["solver.substeps"] < 2000.0
-
-
-@pytest.mark.parametrize("name", ["heavy_top", "sleeping_top"])
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-5, 1e-7])
-def test_tops_that_spin_fast_err_no_more_than_three_times_the_request(name, tolerance):
-    """They precess slowly, and steps err by their spin."""
-
-    def end(tolerance: float) -> tuple[Array, float]:
-        run = Integrator(solver.assemble(solver.load(scene(name))))
-        run["solver.tolerance"], run["solver.longest_step"] = tolerance, 1e6
-        run.initialise()
-        run.state.head["horizon"] = 0.5
-        run.advance(0.0, 0.5)
-        assert run["energy.error"] < 1e-14
-        return vector(run, "q"), float(run["solver.substeps"])
-
-    (found, stages), (exact, _) = end(tolerance), end(1e-12)
-    assert np.abs(found - exact).max() < 3.0 * tolerance
-    assert stages < 12 * 25
 
 
 def test_a_long_chain_of_springs_is_as_fast_as_its_shortest_wave():

@@ -11,7 +11,6 @@ import math
 import numpy as np
 import pytest
 from scipy.optimize import brentq
-from scipy.special import ellipj, ellipk
 
 import solver
 from benchmarks.stress import _extremes
@@ -257,61 +256,6 @@ def test_a_run_that_was_wrong_before_it_was_refused_is_wrong():
     assert Found(constraint=math.nan).outcome == "wrong"
     assert Found(refused="a sentence").outcome == "refused"
     assert Found(divided=1.5).outcome == "kept, some steps divided"
-
-
-def light_links(links: int, dimension: int, light: float, heavy: float) -> str:
-    """A level chain of light links of 0.1 m with a load at its end, at rest."""
-    planar = dimension == 2
-    tail = "" if planar else ", 0"
-    inertia = light / 1200 if planar else [1e-5 * light, light / 1200, light / 1200]
-    text = f"""name = "chain"
-dimension = {dimension}
-gravity = {[0, -9.81] if planar else [0, 0, -9.81]}
-[points]
-load = {{ position = [{links / 10}, 0{tail}], mass = {heavy} }}
-[bodies]
-"""
-    for i in range(links):
-        place = f"position = [{0.1 * i + 0.05}, 0{tail}], mass = {light}, inertia = {inertia}"
-        text += f"b{i} = {{ {place}, points = {{ a = [-0.05, 0{tail}], e = [0.05, 0{tail}] }} }}\n"
-    kind = "revolute" if planar else "spherical"
-    text += (
-        f'[joints]\nj0 = {{ type = "{kind}", points = ["ground", "b0.a"], at = [0, 0{tail}] }}\n'
-    )
-    for i in range(links):
-        end = "load" if i == links - 1 else f"b{i + 1}.a"
-        text += f'j{i + 1} = {{ type = "{kind}", points = ["b{i}.e", "{end}"] }}\n'
-    return text
-
-
-def fallen(length: float, time: float) -> float:
-    """Height of a pendulum let go from the level: sin(theta/2) = k sn(K - w t), k^2 = 1/2."""
-    sn = ellipj(ellipk(0.5) - math.sqrt(9.81 / length) * time, 0.5)[0]
-    return -length * (1.0 - sn**2)
-
-
-HEAVY = [
-    *[(5, 2, 1.0, ratio, h) for ratio in (1e4, 1e5, 1e6, 1e7, 1e8, 1e9) for h in (0.02, 0.005)],
-    *[(10, 3, 1e-3, load, h) for load in (1e1, 1e3) for h in (0.01, 0.003)],
-    (10, 3, 1e-3, 1e5, 0.005),
-]
-
-
-@pytest.mark.parametrize(("links", "dimension", "light", "heavy", "h"), HEAVY)
-def test_a_heavy_load_on_light_links_swings_as_a_pendulum(
-    links: int, dimension: int, light: float, heavy: float, h: float
-) -> None:
-    """Tension ends at the turning points, where links go slack: steps there fail and are halved."""
-    height, error, gap = f"load.{'xyz'[dimension - 1]}", "energy.error", "constraint.position"
-    table = solver.simulate(
-        solver.loads(light_links(links, dimension, light, heavy)),
-        step_size=0.02, stop_time=2.0, internal_step=h, outputs=[height, error, gap],
-    ).table  # fmt: skip
-    # 3 h^2: a step of 20 ms turns the load by 0.13 rad, and errs by 2e-4 rad after 100; light links
-    # have their part of the energy.
-    bound = 3.0 * h**2 + links * light / heavy
-    assert table[-1, 0] == pytest.approx(fallen(links / 10, 2.0), abs=bound)
-    assert table[:, 1:].max() < ROUND_OFF
 
 
 def bent_links(links: int, bend: float, load: float) -> str:

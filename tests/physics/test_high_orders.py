@@ -271,14 +271,6 @@ def test_steps_too_long_for_weights_are_left_of_order_two_and_that_is_said():
     assert sentence.startswith("solver.order is 4, but steps are of order 2")
 
 
-def test_a_run_goes_on_bit_for_bit_from_a_saved_state():
-    first, second = (moved(DRIVEN, 6, 5, 0.5) for _ in range(2))
-    second.restore(first.save())
-    for run in (first, second):
-        run.advance(run.time, 0.5)
-    assert bytes(first.state.block) == bytes(second.state.block)
-
-
 def test_a_damper_that_cannot_move_leaves_the_order():
     # It lies along a rod: its weighted losses are round-off, of either sign.
     model = solver.assemble(solver.loads(LOCKED))

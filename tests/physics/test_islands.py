@@ -56,23 +56,6 @@ def test_islands_are_what_no_mass_row_or_force_joins(case):
     assert assembled(content).sizes["n_islands"] == count
 
 
-@pytest.mark.parametrize("order", [2, 6])
-def test_each_island_moves_as_it_would_alone(order):
-    # What differs is where iterations stop, a margin of 1e-6 below 1e-12: round-off, which grows
-    # little in a second.
-    contents = chain(8), SWINGING, pendulum(2.0)
-    together = started(assembled(beside(*contents), order=order))
-    together.advance(0.0, 1.0)
-    for k, content in enumerate(contents):
-        alone = started(assembled(content, order=order))
-        alone.advance(0.0, 1.0)
-        for name in [name for name, at in content["points"].items() if "mass" in at]:
-            for axis in "xy":
-                ours, theirs = together[f"{name}_{k}.{axis}"], alone[f"{name}.{axis}"]
-                assert ours == pytest.approx(theirs, abs=1e-13), (k, name)
-    assert abs(float(together["energy.error"])) < 1e-15
-
-
 def test_counted_are_the_iterations_of_the_island_that_takes_most():
     # Of two that are alike each takes what one takes alone: the count does not grow with them. One
     # alone also tries factors of the half step before, which costs an iteration now and then.

@@ -96,24 +96,6 @@ def test_a_hinge_at_a_centre_moves_as_one_elsewhere_on_its_axis(extra, at):
     assert np.abs(first - second).max() < 1e-11
 
 
-def test_a_rotor_hinged_at_its_centre_keeps_its_speed_and_its_carrier_too():
-    # No torque about the axis acts on either of them, and their centre of mass rests.
-    bodies = {
-        name: {
-            "position": [x, 0, 0], "velocity": [0, v, 0], "angular_velocity": [0, 0, spin],
-            "mass": 1, "inertia": [1, 2, 2],
-        }
-        for name, x, v, spin in (("A", 0, -0.5, 2), ("B", 0.5, 0.5, -5))
-    }  # fmt: skip
-    joint = {"type": "revolute", "bodies": ["A", "B"], "position": [0.5, 0, 0], "axis": [0, 0, 1]}
-    moved = run({"bodies": bodies, "joints": {"j": joint}}, 2.0, tolerance=1e-8)
-    exact = 0.25 * np.column_stack([np.cos(2.0 * moved.t), np.sin(2.0 * moved.t)])
-    for name, side in (("A", -1.0), ("B", 1.0)):
-        place = vector(moved, f"{name}.", "xy") - [0.25, 0.0]
-        assert np.abs(place - side * exact).max() < 3e-8
-    assert np.abs(moved["j.angle"] + 7.0 * moved.t).max() < 3e-8 * 7.0
-
-
 def precession(spin: list[float], moments: tuple[float, float], times: np.ndarray) -> np.ndarray:
     """Axis of a free symmetric top drawn along z, which turns about its angular momentum."""
     across, along = moments

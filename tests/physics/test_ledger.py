@@ -72,18 +72,6 @@ def test_a_spring_that_is_tuned_while_it_moves_takes_work():
     assert integrator["energy.error"] < 1e-12
 
 
-def test_the_ledger_closes_while_a_spring_is_pumped():
-    # Stiffness and length follow the time: a parametric oscillator that gains energy from outside.
-    content = tethered(
-        {"type": "spring", "stiffness": "40*(1+0.4*sin(9*t))", "free_length": "0.7+0.1*cos(4*t)"},
-        gravity=True,
-    )
-    integrator = start(content, h=0.02)
-    work, error = observe(integrator, 0.02, 500, ["energy.work", "energy.error"]).T
-    assert np.abs(work).max() > 1.0
-    assert error.max() < 1e-12
-
-
 @settings(max_examples=60)
 @given(driven_systems(), st.sampled_from([0.005, 0.05]))
 def test_the_ledger_of_any_mechanism_closes(content, h):

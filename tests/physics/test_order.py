@@ -8,15 +8,12 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from tests.exact_motions import double_pendulum_motion, pendulum_angle
 from tests.kernel_calls import kernel_of
 from tests.problems import (
     GRAVITY,
     Motion,
-    conical_pendulum,
     double_pendulum,
     move,
-    observe,
     observed_order,
     pendulum,
     start,
@@ -28,16 +25,6 @@ STEPS = [0.02, 0.01, 0.005, 0.0025]
 def swing(h: float, stop: float = 2.0) -> Motion:
     """Double pendulum from 30 degrees: regular motion, so that errors are those of the step."""
     return move(start(double_pendulum(math.pi / 6), h=h), h, round(stop / h))
-
-
-def test_coordinates_and_velocities_are_of_second_order():
-    # The next term of the error is h^2 smaller, (0.02 s * 5 rad/s)^2 = 0.01: slopes within 0.05.
-    q, v = double_pendulum_motion(np.array([0.0, 2.0]), math.pi / 6)
-    motions = [swing(h) for h in STEPS]
-    q_errors = [np.abs(motion.q[-1] - q[-1]).max() for motion in motions]
-    v_errors = [np.abs(motion.v[-1] - v[-1]).max() for motion in motions]
-    assert observed_order(STEPS, q_errors) == pytest.approx(2.0, abs=0.05)
-    assert observed_order(STEPS, v_errors) == pytest.approx(2.0, abs=0.05)
 
 
 def test_velocities_leave_the_constraints_by_a_second_order_term_that_does_not_grow():
@@ -153,33 +140,3 @@ def test_the_period_of_a_pendulum_depends_on_its_amplitude_as_an_elliptic_integr
 def crossing(t: np.ndarray, x: np.ndarray) -> float:
     """Time at which x is zero, by inverse interpolation of fifth degree."""
     return float(np.polyval(np.polyfit(x / np.ptp(x), t - t[0], 5), 0.0) + t[0])
-
-
-def test_a_swinging_pendulum_follows_the_elliptic_function():
-    errors = []
-    for h in STEPS:
-        motion = move(start(pendulum(1.0, 2.0), h=h), h, round(4 / h))
-        angle = np.arctan2(motion.q[:, 0, 0], -motion.q[:, 0, 1])
-        errors.append(np.abs(angle - pendulum_angle(motion.t, 1.0, 2.0)).max())
-    assert observed_order(STEPS, errors) == pytest.approx(2.0, abs=0.05)
-
-
-def test_a_conical_pendulum_circles_at_its_height():
-    # Exact: y = -cos(1), rate = sqrt(g/cos(1)). The discrete circle is a circle too, at a height
-    # and a rate that differ by O(h^2): 20 h^2 covers (h rate)^2/12 of both.
-    content, rate = conical_pendulum(1.0), math.sqrt(GRAVITY / math.cos(1.0))
-    for h in (0.02, 0.01):
-        motion = move(start(content, h=h), h, round(2 / h))
-        assert np.abs(motion.q[:, 0, 2] + math.cos(1.0)).max() < 20 * h**2
-        turned = np.unwrap(np.arctan2(motion.q[:, 0, 1], motion.q[:, 0, 0]))
-        assert np.abs(turned - rate * motion.t).max() < 20 * h**2 * motion.t[-1]
-
-
-def test_one_communication_step_of_many_internal_steps_is_the_same_as_many_of_one():
-    # Lengths are computed as step/n, so they may differ in the last digit: 200 steps of 1e-16.
-    one, many = (start(double_pendulum(), h=0.01) for _ in range(2))
-    one.advance(0.0, 1.0)
-    for _ in range(100):
-        many.advance(many.time, 0.01)
-    values = [observe(i, 0.01, 1, ["A.x", "B.y", "rod1.force"])[0] for i in (one, many)]
-    assert values[0] == pytest.approx(values[1], rel=1e-12, abs=1e-12)

@@ -92,11 +92,3 @@ def test_the_parts_fulfil_all_conditions_of_their_order_and_not_of_the_next(orde
     found = defects(order)
     assert max(found[k] for k in range(1, order + 1)) < 1e-14
     assert found[order + 1] > 1e-4
-
-
-@pytest.mark.parametrize("order", FIRST_PARTS)
-def test_odd_powers_of_the_parts_sum_to_zero_below_the_order(order):
-    parts = stages(order)
-    assert sum(parts) == pytest.approx(1.0, abs=1e-15)
-    for power in range(3, order, 2):
-        assert sum(part**power for part in parts) == pytest.approx(0.0, abs=1e-15)

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import logging
 import warnings
-import zipfile
 
 import pytest
 
 import solver
 from build_fmu.command_line import main
-from build_fmu.run import run_fmu
 from fmu_src.status import LOGGER
 from tests.fmu_instance import instance, text_fmu
 
@@ -130,15 +128,6 @@ def test_a_step_too_long_for_its_order_is_no_warning_but_said_in_a_log():
     assert len(sentences) == 1
 
 
-def test_an_fmu_says_it_with_its_log_on_as_a_warning():
-    with instance(text_fmu(text(LIMITED))) as fmu:
-        fmu.initialise()
-        assert fmu.step(0.0, 0.1)
-        ((level, category, sentence),) = fmu.log
-    assert (level, category) == (1, "logStatusWarning")
-    assert "steps are of order 2" in sentence
-
-
 def test_an_fmu_says_it_with_its_log_off_to_the_logger_of_python(caplog):
     with instance(text_fmu(text(LIMITED)), logging=False) as fmu:
         fmu.initialise()
@@ -146,19 +135,6 @@ def test_an_fmu_says_it_with_its_log_off_to_the_logger_of_python(caplog):
     (record,) = [each for each in caplog.records if each.name == LOGGER]
     assert record.levelno == logging.WARNING
     assert record.getMessage().startswith("FMU parts: solver.tolerance chooses the order, but")
-
-
-def test_a_run_that_says_it_is_clean():
-    run = run_fmu(text_fmu(text(LIMITED)))
-    (sentence,) = run.messages
-    assert "steps are of order 2" in sentence
-    assert not run.failure
-
-
-def test_the_page_of_an_fmu_says_it():
-    with zipfile.ZipFile(text_fmu(text(LIMITED))) as archive:
-        page = archive.read("documentation/index.html").decode()
-    assert "Its log said: solver.tolerance chooses the order, but steps are of order 2" in page
 
 
 def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):

@@ -13,7 +13,6 @@ import solver
 from build_fmu import build
 from build_fmu.run import run_fmu
 from tests.fmu.test_model_description import root_of
-from tests.fmu_instance import instance
 from tests.twins import start
 
 SPRING = """
@@ -133,20 +132,6 @@ def test_a_cam_from_a_file_moves_its_follower_and_books_its_work(cam):
             0.02 * (1.0 - math.cos(angle)) ** 2, abs=2e-5
         )
     assert run["energy.error"] < 1e-12
-
-
-def test_an_fmu_has_the_numbers_of_a_file_and_the_bits_of_the_library(cam, tmp_path):
-    path = build(cam, tmp_path / "cam.fmu")
-    run = start(cam)
-    (tmp_path / "lobe.csv").unlink()
-    names = [v.name for v in run.model.variables if v.causality == "output"]
-    assert {"follower.vy", "rise.multiplier", "lift", "motor.torque"} <= set(names)
-    with instance(path) as fmu:
-        fmu.initialise()
-        for k in range(200):
-            run.advance(0.01 * k, 0.01)
-            assert fmu.step(0.01 * k, 0.01), fmu.log
-            assert fmu.outputs() == [run[name] for name in names]
 
 
 def test_an_fmu_carries_the_points_so_that_it_can_be_built_again(cam, tmp_path):

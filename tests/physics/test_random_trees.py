@@ -14,8 +14,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import solver
-from build_fmu import build
-from tests.fmu_instance import instance
 from tests.problems import Content
 from tests.work_sums import vector
 
@@ -180,22 +178,6 @@ def test_a_hung_loop_books_every_joule_and_keeps_its_joints(content):
     assert run["constraint.position"].max() < 1e-12
     assert (np.diff(run["energy.dissipated"]) >= 0.0).all()
     assert np.ptp(run["energy.work"]) > 0.0
-
-
-@pytest.mark.parametrize("dimension", [2, 3])
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_a_hung_loop_moves_in_its_fmu_as_in_the_library(seed, dimension, tmp_path):
-    drawn = scene(hung_loop(seed, dimension))
-    integrator = solver.Integrator(solver.assemble(drawn))
-    integrator.initialise(0.0)
-    outputs = [i for i, v in enumerate(integrator.model.variables) if v.causality == "output"]
-    expected = [integrator.get(outputs)]
-    for i in range(20):
-        integrator.advance(i * 0.1, 0.1)
-        expected.append(integrator.get(outputs))
-    with instance(build(drawn, tmp_path / "random.fmu")) as fmu:
-        fmu.initialise()
-        assert [fmu.outputs(), *fmu.run(0.0, 0.1, 20)] == expected
 
 
 # -------------------------------------------------------------------------- velocities at the start

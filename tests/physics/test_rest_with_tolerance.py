@@ -135,16 +135,6 @@ def test_scenes_stay_in_their_equilibrium(name: str, order: int, tolerance: floa
     assert integrator.state.head["ledger_error"] < ROUND_OFF
 
 
-@pytest.mark.parametrize("tolerance", [1e-2, 1e-6, 1e-10])
-@pytest.mark.parametrize("every", [0.05, 0.25, 1.0])
-def test_reactions_of_a_truss_follow_its_load(tolerance: float, every: float) -> None:
-    load = '[forces]\nload = { type = "force", point = "A", value = ["5*sin(3*t)", "0"] }\n'
-    found = run(PLANE + TRUSS + load, ["a.force", "b.force"], every, 1.0, tolerance=tolerance)
-    aside = 5.0 * np.sin(3.0 * np.linspace(0.0, 1.0, len(found)))
-    exact = math.sqrt(0.5) * np.array([aside - 9.81, -aside - 9.81]).T
-    assert found == pytest.approx(exact, abs=1e-10)
-
-
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-10])
 @pytest.mark.parametrize("torque", [1e-6, 1e-9, 1e-12])
 def test_a_tiny_load_drives_a_pole_from_its_balance(torque: float, tolerance: float) -> None:

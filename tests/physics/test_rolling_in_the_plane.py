@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import run, times
+from tests.mechanism_runs import run
 from tests.reduced_models import Array
 
 RADIUS, MASS, SLOPE, GRAVITY = 0.3, 2.0, 0.4, 9.81
@@ -21,8 +21,6 @@ NORMAL, UPHILL = (
     np.array([-math.sin(SLOPE), math.cos(SLOPE)]),
     np.array([math.cos(SLOPE), math.sin(SLOPE)]),
 )
-GAIN = 2 / 3 * GRAVITY * math.sin(SLOPE)
-"""Acceleration downhill [m/s2]."""
 
 
 def slope(share: float = 0.5) -> solver.Scene:
@@ -71,17 +69,6 @@ def test_a_disc_rolls_without_slip_and_without_work_at_any_step(h):
     assert kinetic == pytest.approx(MASS * GRAVITY * math.sin(SLOPE) * way, abs=1e-11)
     assert np.abs(balance).max() < 1e-11
     assert error.max() < 1e-13
-
-
-@pytest.mark.parametrize("share", [0.5, 1.0, 0.1])
-def test_a_disc_rolls_down_with_a_constant_share_of_gravity(share):
-    """Of g sin(a) it is 1/(1 + J/(m R^2)): 2/3 for a disc, 1/2 for a hoop."""
-    t = times(2.0, 0.25)
-    gain = GRAVITY * math.sin(SLOPE) / (1 + share)
-    way, _, turn = ways(run(slope(share), NAMES, 0.025, 2.0, every=0.25, order=6))
-    # 24 rad/s at most and 0.6 rad a step, of sixth order.
-    assert way == pytest.approx(gain * t**2 / 2, abs=1e-6)
-    assert turn == pytest.approx(gain * t**2 / (2 * RADIUS), abs=4e-6)
 
 
 def test_the_line_carries_the_disc_and_a_third_of_its_push_is_friction():

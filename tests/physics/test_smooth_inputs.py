@@ -80,22 +80,6 @@ def test_a_smooth_input_follows_a_constant_acceleration_from_rest(acceleration, 
 
 
 @TOLERANCES
-def test_smooth_inputs_bring_a_drivers_torque_to_second_order_and_rates_to_third(tolerance):
-    """The motion 0.5 (1 - cos 2t) begins at rest, but not with a constant acceleration."""
-    errors = []
-    for step in STEPS:
-        count = round(1.2 / step)
-        t, felt, rate = driven(begun(tolerance), lambda t: math.sin(t) ** 2, [step] * count).T[
-            :, 3:
-        ]
-        exact = torque(np.sin(t) ** 2, 2.0 * np.cos(2.0 * t))
-        errors.append([abs(felt - exact).max(), abs(rate - np.sin(2.0 * t)).max()])
-    of_torque, of_rate = np.array(errors).T
-    assert observed_order(STEPS, of_torque) == pytest.approx(2.0, abs=0.1)
-    assert observed_order(STEPS, of_rate) == pytest.approx(3.0, abs=0.1)
-
-
-@TOLERANCES
 def test_the_integral_of_a_drivers_power_comes_to_its_work_with_shorter_communication_steps(
     tolerance,
 ):

@@ -28,14 +28,6 @@ def test_bricards_corner_is_there_after_a_second():
     assert found == pytest.approx(CORNER_AT_1_S, abs=1e-6)
 
 
-def test_bricards_mechanism_keeps_its_energy_for_ten_seconds_with_a_row_too_many():
-    names = ["energy.total", "constraint.position"]
-    energy, gap = run("bricard", names, 0.01, 10.0, every=0.05).T
-    assert energy[0] == pytest.approx(-29.43, abs=1e-12)
-    assert np.abs(energy - energy[0]).max() < 1e-10
-    assert gap.max() < 1e-12
-
-
 def test_a_cardan_shaft_obeys_the_law_of_its_angles():
     t = times(1.0, 0.01)
     angles = run("cardan_shaft", ["input.angle", "output.angle"], 0.001, 1.0, every=0.01)

@@ -407,16 +407,6 @@ def test_the_command_writes_the_scene_and_says_what_moved(tmp_path, capsys):
     assert "driver 'hand' (0.167 m)" in error
 
 
-def test_a_closed_file_runs_as_any_other(tmp_path, capsys):
-    drawn, closed = tmp_path / "drawn.toml", tmp_path / "to" / "closed.toml"
-    drawn.write_text(SCENE)
-    assert run(capsys, "assemble", drawn, "-o", closed, "--set", "boom_stroke=0.6")[0] == 0
-    closed.write_text(unassembled(closed.read_text()))
-    for command in ("check", "simulate"):
-        code, _, error = run(capsys, command, closed, "--stop", "0.1")
-        assert (code, error) == (0, "")
-
-
 ARM_OVER_A_FLOOR = """
 name = "arm"
 dimension = 2

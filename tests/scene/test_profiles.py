@@ -72,13 +72,6 @@ def test_a_monotone_or_linear_profile_goes_through_its_points(content):
         assert apply("spline", at, table) == pytest.approx(value, abs=near)
 
 
-@given(tables(("plain", "periodic")))
-def test_a_profile_goes_through_its_points(content):
-    x, y, _, table = content
-    for at, value in zip(x, y, strict=True):
-        assert apply("spline", at, table) == pytest.approx(value, abs=1e-14 * size_of(table, 0))
-
-
 @given(tables())
 def test_value_slope_and_curvature_are_continuous_at_all_points_also_the_ends(content):
     x, _, kind, table = content

@@ -9,16 +9,11 @@ from pathlib import Path
 import pytest
 
 from solver.scene import (
-    Bar,
-    Damper,
     Distance,
     Expr,
-    Force,
     PointReference,
     Scene,
     SceneError,
-    Spring,
-    Torque,
     evaluate,
     load,
     loads,
@@ -65,26 +60,6 @@ def test_the_double_pendulum_arrives_as_written():
     assert scene.solver.start == "drawn"
     assert scene.solver.step_size == 0.01
     assert (scene.experiment.stop_time, scene.experiment.step_size) == (10.0, 0.05)
-
-
-def test_the_four_bar_arrives_as_written():
-    scene = load(ROOT / "scenes" / "four_bar.toml")
-    assert list(scene.bodies) == ["crank0", "crank1", "crank2", "coupler0", "coupler1"]
-    assert scene.bodies["coupler0"] == Bar(points=("B0", "B1"), mass=1.0)
-    assert scene.forces["motor"] == Torque(body="crank0", value=parse("drive"))
-    assert scene.inputs["drive"].unit == "N.m"
-    assert scene.points["B0"].mass == 0.0
-    assert scene.points["B0"].velocity == (1.0, 0.0)
-
-
-def test_springs_dampers_and_forces_arrive_as_written():
-    forces = load(ROOT / "scenes" / "spring_pendulum.toml").forces
-    ends = (PointReference(point=None, at=(0.0, 0.0, 0.0)), PointReference(point="A"))
-    assert forces["spring"] == Spring(points=ends, stiffness=parse("stiffness"), free_length=0.9)
-    assert forces["damper"] == Damper(points=ends, damping=parse("damping"))
-    assert forces["pusher"] == Force(
-        point=PointReference(point="A"), value=(parse("push"), 0.0, 0.0)
-    )
 
 
 def test_a_parameter_calculated_from_a_tunable_one_is_tunable():

@@ -148,16 +148,6 @@ def test_other_words_for_fields(word, names):
     assert {*names} <= {"density", "start", "min", "max", "description", "fixed"}
 
 
-def test_the_usual_letters_mean_the_fields_of_springs_and_dampers():
-    spring = {"type": "spring", "points": ["O", "A"], "k": 100.0, "l0": 0.5}
-    reports = problems(SCENE | {"forces": {"s": spring}})
-    found = {report.location: report.help for report in reports}
-    assert found["forces.s.k"] == "did you mean 'stiffness'?"
-    assert found["forces.s.l0"] == "did you mean 'free_length'?"
-    found = problems(SCENE | {"forces": {"s": {"type": "damper", "points": ["O", "A"], "c": 1}}})
-    assert "did you mean 'damping'?" in [report.help for report in found]
-
-
 @pytest.mark.parametrize("word", ["motor", "friction", "limit", "velocity"])
 def test_what_is_no_word_of_a_scene_says_what_to_write(word):
     """As a table, as a type and as a field of a joint."""

@@ -157,18 +157,6 @@ def test_what_build_fmu_did_not_write_is_neither_replaced_nor_removed(capsys, tm
     assert mine.read_bytes() == before
 
 
-def test_an_interrupted_study_says_what_it_wrote(tmp_path):
-    def stop(done, _):
-        if done == 2:
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        build_fmu.variants(
-            PENDULUM, tmp_path, grid={"mass": [1, 2, 3]}, engine="serial", progress=stop
-        )
-    assert len(rows_of(tmp_path / "manifest.csv")) == 2
-
-
 # ------------------------------------------------------------------------------------- names
 
 

@@ -7,7 +7,6 @@ import json
 
 import pytest
 
-import build_fmu
 from build_fmu import build
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
@@ -50,15 +49,6 @@ def test_a_table_makes_the_variants_of_its_lines(capsys, tmp_path):
     assert (tmp_path / "v" / "double_pendulum_1.fmu").is_file()
 
 
-def test_the_manifest_can_be_json(tmp_path):
-    made = build_fmu.variants(
-        PENDULUM, tmp_path, grid={"mass": [1.0, 2.0]}, manifest="which.json", engine="serial"
-    )
-    document = json.loads((tmp_path / "which.json").read_text())
-    assert [row["parameters"] for row in document["variants"]] == [{"mass": 1.0}, {"mass": 2.0}]
-    assert [row["fmu"] for row in document["variants"]] == [variant.fmu for variant in made]
-
-
 def test_mistakes_are_reported_once_and_the_other_variants_are_written(capsys, tmp_path):
     arguments = ("--grid", "mass=1,-1", "--grid", "length=1,2", "-o", tmp_path)
     code, out, err = run(capsys, "variants", PENDULUM, *arguments)
@@ -78,21 +68,6 @@ def test_a_name_that_the_scene_does_not_have_is_one_of_the_header(capsys, tmp_pa
     assert code == 2
     assert err == f"{table}:1: error: mas: unknown name\n     = help: did you mean 'mass'?\n"
     assert [path.name for path in (tmp_path / "v").iterdir()] == ["manifest.csv"]
-
-
-def test_mistakes_of_a_table_and_of_its_names_are_told_in_one_run(capsys, tmp_path):
-    table = tmp_path / "table.csv"
-    table.write_text("mas,length\n1,2\n2\n3,\n")
-    code, _, err = run(capsys, "variants", PENDULUM, "--table", table, "-o", tmp_path / "v")
-    assert code == 2
-    expected = [
-        f"{table}:3: error: has 1 cell, and the header has 2",
-        f"{table}:4: error: length: an empty cell",
-        f"{table}:1: error: mas: unknown name",
-    ]
-    assert not [each for each in expected if err.count(each) != 1]
-    assert err.count("error") == 3
-    assert not (tmp_path / "v").exists()
 
 
 @pytest.mark.parametrize(

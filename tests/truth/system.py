@@ -66,7 +66,7 @@ class System:
     origin: str
     """Where the right values come from: closed form, DOP853 in which coordinates, published."""
     scene: str | Mapping[str, object]
-    """TOML or tables, without settings that choose steps."""
+    """TOML or tables, without a name and settings that choose steps."""
     stop: float
     """End of the run [s]."""
     right: Callable[[Array], Values]
@@ -95,8 +95,8 @@ class System:
     def read(self) -> solver.Scene:
         """Scene as read."""
         if isinstance(self.scene, str):
-            return solver.loads(self.scene)
-        return solver.loads(json.dumps(self.scene), format="json")
+            return solver.loads(f'name = "{self.kind}"\n{self.scene}')
+        return solver.loads(json.dumps({"name": self.kind, **self.scene}), format="json")
 
     def error(self, right: Values, **settings: float | str | bool) -> float:
         """Largest error of a run at its communication points, over the scale of its kind."""

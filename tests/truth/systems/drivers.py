@@ -28,7 +28,6 @@ def _hand(name: str, rate: float, stop: float) -> System:
     """Point led about an ellipse: F = m (r'' - g), P = F r'."""
     m, a, b = 1.7, 0.8, 0.35
     text = f"""
-        name = "hand"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -54,7 +53,6 @@ def _crank(speed: float) -> System:
     """Slider-crank whose crank turns evenly: its torque is that of one coordinate."""
     r, c, m, mc = 0.12, 0.43, 0.9, 1.6
     text = f"""
-        name = "crank"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -113,7 +111,6 @@ def _lift() -> System:
     m, rise, rate = 3.0, 0.6, 2.3
     axis = np.array([math.cos(rise) * 0.8, math.cos(rise) * 0.6, math.sin(rise)])
     text = f"""
-        name = "lift"
         gravity = [0, 0, {-G}]
         [bodies]
         b = {{ position = [0.2, -0.1, 0.3], mass = {m}, inertia = [0.1, 0.2, 0.15] }}
@@ -139,7 +136,6 @@ def _hoist() -> System:
     """Load that swings while its rope is drawn in: a'' = -(2 l' a' + g sin a)/l."""
     m, length = 2.5, 1.6
     text = f"""
-        name = "hoist"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -178,7 +174,6 @@ def _two_axes() -> System:
     """Robot of two driven axes in space: Lagrange's equations in both angles."""
     m, r, J1, J2, Jr = 4.0, 0.35, 0.3, 0.06, 0.01
     text = f"""
-        name = "two_axes"
         gravity = [0, 0, {-G}]
         [bodies]
         table = {{ position = [0, 0, 0], mass = 5, inertia = [0.2, 0.2, {J1}] }}
@@ -213,7 +208,6 @@ def _cylinder() -> System:
     a, b, m, r, J = 0.5, 0.8, 12.0, 0.7, 0.9
     start = math.sqrt(a * a + b * b)
     text = f"""
-        name = "cylinder"
         gravity = [0, 0, {-G}]
         [bodies]
         arm = {{ position = [{r}, 0, 0], mass = {m}, inertia = [0.02, {J}, {J}], points = {{ c = [{b - r}, 0, 0] }} }}
@@ -249,7 +243,6 @@ def _reaction_wheel() -> System:
     """Free body and a wheel in it: the body turns back as the momentum asks."""
     J, wheel = 0.8, 0.05
     text = f"""
-        name = "reaction_wheel"
         dimension = 2
         [bodies]
         b = {{ position = [0, 0], mass = 10, inertia = {J} }}
@@ -277,7 +270,6 @@ def _shaken_pivot() -> System:
     """Pendulum on a pivot that moves up and down fast: (J + m l^2) a'' = -m l (g + y'') sin a."""
     m, r, J, size, rate = 0.8, 0.25, 0.012, 0.03, 60.0
     text = f"""
-        name = "shaken"
         dimension = 2
         gravity = [0, {-G}]
         [points]

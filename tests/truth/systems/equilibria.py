@@ -38,7 +38,6 @@ def _blown() -> System:
     m, r, F = 1.4, 0.6, 5.2
     a = math.atan2(F, m * G)
     text = f"""
-        name = "blown"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -59,7 +58,7 @@ def _pulled_chain() -> System:
     lengths, masses, F = (0.5, 0.3, 0.4), (2.0, 0.7, 1.1), 6.0
     below = [masses[i] / 2 + sum(masses[i + 1 :]) for i in range(3)]
     angles = [math.atan2(F, w * G) for w in below]
-    text = ['name = "pulled"\ndimension = 2', f"gravity = [0, {-G}]", "[bodies]"]
+    text = ["dimension = 2", f"gravity = [0, {-G}]", "[bodies]"]
     top = 0.0
     for i, (c, m) in enumerate(zip(lengths, masses, strict=True)):
         text.append(
@@ -100,7 +99,7 @@ def _hung_chain() -> System:
     x = np.cumsum([link / math.hypot(1, q) for q in tangents])
     y = -np.cumsum([link * q / math.hypot(1, q) for q in tangents])
     # Drawn hanging, a little beside the equilibrium: symmetric arc through both hooks.
-    text = ['name = "hung"\ndimension = 2', f"gravity = [0, {-G}]", "[points]"]
+    text = ["dimension = 2", f"gravity = [0, {-G}]", "[points]"]
     for i, m in enumerate(loads):
         px, py = span * (i + 1) / 5, -drop * (i + 1) / 5 - 0.5 * math.sin(math.pi * (i + 1) / 5)
         text.append(f"p{i} = {{ position = [{px!r}, {py!r}], mass = {m} }}")
@@ -135,7 +134,6 @@ def _on_springs() -> System:
     y = brentq(rest, 0.01, 2.0, xtol=1e-15, rtol=1e-15)
     length = math.hypot(half, y)
     text = f"""
-        name = "springs"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -154,7 +152,6 @@ def _sagging_arm() -> System:
     m, r, k = 1.1, 0.5, 9.0
     a = brentq(lambda a: k * a - m * G * r * math.cos(a), 0.0, 1.5, xtol=1e-15, rtol=1e-15)
     text = f"""
-        name = "sagging"
         gravity = [0, 0, {-G}]
         [bodies]
         b = {{ position = [{r}, 0, 0], mass = {m}, inertia = [0.01, 0.09, 0.09] }}
@@ -182,7 +179,6 @@ def _stands(name: str, tilt: float, motor: bool) -> System:
         B = {{ type = "joint_torque", joint = "k", value = {second!r} }}
     """
     text = f"""
-        name = "stands"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -203,7 +199,6 @@ def _spatial_arm() -> System:
     """Arm of two bars in space that torques hold, on a turntable: moments of the weights."""
     m1, m2 = 2.0, 1.3
     text = f"""
-        name = "held"
         gravity = [0, 0, {-G}]
         [bodies]
         base = {{ position = [0, 0, 0.2], mass = 4, inertia = [0.1, 0.1, 0.05] }}
@@ -227,7 +222,6 @@ def _truss() -> System:
     """Frame of four rods with two loads that grow: nothing moves, forces by the method of joints."""
     a, b, P = 2.0, 1.5, 30.0
     text = f"""
-        name = "truss"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -262,7 +256,6 @@ def _frame_under_a_fast_load() -> System:
     """Joint on two rods, without weight; the load swings in less than a communication step."""
     a, b, P, rate = 0.8, 0.6, 50.0, 30.0
     text = f"""
-        name = "frame"
         dimension = 2
         [points]
         B = {{ position = [{a}, {-b}], mass = 2 }}
@@ -291,7 +284,6 @@ def _tripod() -> System:
     lengths = np.linalg.norm(legs, axis=1)
     forces = np.linalg.solve((-legs / lengths[:, None]).T, [0.0, 0.0, m * G])
     text = f"""
-        name = "tripod"
         gravity = [0, 0, {-G}]
         [points]
         T = {{ position = {top.tolist()}, mass = {m} }}
@@ -310,7 +302,6 @@ def _ladder() -> System:
     m, c, a = 9.0, 2.4, 1.1
     x, y = c * math.cos(a), c * math.sin(a)
     text = f"""
-        name = "ladder"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]

@@ -21,7 +21,6 @@ def _block(
     m = 1.6
     moving = f", surface_velocity = [{belt}, 0]" if belt else ""
     text = f"""
-        name = "block"
         dimension = 2
         gravity = [{G * math.sin(tilt)!r}, {-G * math.cos(tilt)!r}]
         [points]
@@ -60,7 +59,6 @@ def _shaft(name: str, friction: str, torque: float, speed: float, stop: float) -
     """Rotor that friction of its bearing stops: w = w0 - T/J t."""
     J, m = 0.4, 5.0
     text = f"""
-        name = "shaft"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -84,7 +82,6 @@ def _spatial_guide() -> System:
     """Slider down a guide in space: a = g (sin b - mu cos b)."""
     b, mu, m = 0.7, 0.25, 2.0
     text = f"""
-        name = "guide"
         gravity = [0, 0, {-G}]
         [bodies]
         s = {{ position = [0, 0, 0], mass = {m}, inertia = [0.1, 0.1, 0.1] }}
@@ -107,7 +104,6 @@ def _stick_slip() -> System:
     m, k, v, mu, static = 1.2, 50.0, 0.4, 0.3, 0.5
     begin = static * m * G / (k * v)
     text = f"""
-        name = "pulled"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -147,7 +143,6 @@ def _oblique() -> System:
     velocity = np.array([1.1, -0.7])
     speed = float(np.hypot(*velocity))
     text = f"""
-        name = "puck"
         gravity = [0, 0, {-G}]
         [points]
         A = {{ position = [0, 0, 0], velocity = [1.1, -0.7, 0], mass = {m} }}
@@ -172,7 +167,6 @@ def _pressed() -> System:
     """Block pressed down by a force that varies: v = v0 - mu times the integral of N/m."""
     mu, m, speed = 0.2, 1.5, 6.0
     text = f"""
-        name = "pressed"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -199,7 +193,6 @@ def _hoop() -> System:
     """Bead that slides inside a rough hoop: r a'' = -g sin a - mu s (g cos a + r a'^2)."""
     r, mu, start = 0.8, 0.2, 1.3
     text = f"""
-        name = "hoop"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -232,7 +225,6 @@ def _billiard(name: str, velocity: Sequence[float], spin: Sequence[float], stop:
     J = 0.4 * m * R * R
     v0, w0 = np.array([*velocity, 0.0]), np.array(spin)
     text = f"""
-        name = "billiard"
         gravity = [0, 0, {-G}]
         [bodies]
         b = {{ position = [0, 0, {R}], velocity = {v0.tolist()}, angular_velocity = {w0.tolist()}, mass = {m}, inertia = [{J!r}, {J!r}, {J!r}] }}
@@ -262,7 +254,6 @@ def _feet() -> System:
     """Block on two feet that a force pushes less than it sticks: rest, and loads by moments."""
     m, push, half, height = 3.0, 12.0, 0.2, 0.15
     text = f"""
-        name = "feet"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]

@@ -22,7 +22,6 @@ def _pair() -> System:
     """Two wheels: (J1 + r^2 J2) w' = T of the first."""
     J1, J2, ratio, torque, w0 = 0.03, 0.4, -0.35, 1.7, 4.0
     scene = {
-        "name": "gear_pair",
         "dimension": 2,
         "bodies": {
             "a": _wheel(J1, 0.0, angular_velocity=w0),
@@ -66,7 +65,6 @@ def _three_stages() -> System:
         pair = [f"j{names[i]}", f"j{names[i + 1]}"]
         joints[f"g{i}"] = {"type": "gear", "joints": pair, "ratio": ratio}
     scene = {
-        "name": "reducer",
         "dimension": 2,
         "bodies": {
             x: _wheel(J, i * 0.2) for i, (x, J) in enumerate(zip(names, inertias, strict=True))
@@ -109,7 +107,6 @@ def _planetary(spring: float, torque: float, name: str, stop: float) -> System:
     Jc, Js, Jp = 0.015, 0.0008, 0.00025
     sun, planet = 1 + Nr / Ns, 1 - Nr / Np
     scene: dict[str, object] = {
-        "name": name,
         "dimension": 2,
         "bodies": {
             "carrier": {"position": [0, 0], "mass": masses[0], "inertia": Jc},
@@ -156,7 +153,6 @@ def _screw_jack() -> System:
     """Nut that a weight drives down a screw: (m + J (2 pi/p)^2) z'' = -m g."""
     mass, inertia, pitch = 3.0, 2e-4, 0.02
     scene = {
-        "name": "screw",
         "gravity": [0, 0, -9.81],
         "bodies": {
             "nut": {"position": [0, 0, 1], "mass": mass, "inertia": [inertia, inertia, inertia]}
@@ -198,7 +194,6 @@ def _bevel() -> System:
         return {"position": place, "mass": 2.0, "inertia": inertia}
 
     scene = {
-        "name": "bevel",
         "bodies": {
             "a": wheel(J1, [1, 0, 0], [0, 0, 0]),
             "b": wheel(J2, [0, 0, 1], [0.1, 0, 0.1]),

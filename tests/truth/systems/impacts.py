@@ -17,7 +17,6 @@ def _bouncing(e: float, stop: float) -> System:
     """Ball that falls from a height: each flight lasts 2 v/g, and v falls by e."""
     h, m = 1.3, 0.6
     text = f"""
-        name = "bouncing"
         gravity = [0, 0, {-G}]
         [points]
         A = {{ position = [0, 0, {h}], velocity = [0.4, 0, 0], mass = {m} }}
@@ -75,7 +74,7 @@ def _balls(
     """Balls in a line: momentum and restitution, impact by impact."""
     r = 0.04
     rest = ", 0" * (dimension - 1)
-    text = [f'name = "balls"\ndimension = {dimension}', "[points]"]
+    text = [f"dimension = {dimension}", "[points]"]
     text += [
         f"b{i} = {{ position = [{x + 2 * r * i!r}{rest}], velocity = [{v}{rest}], mass = {m} }}"
         for i, (x, v, m) in enumerate(zip(x0, v0, masses, strict=True))
@@ -103,7 +102,6 @@ def _oblique() -> System:
     x, v = np.array([-1.0, 0.12]), np.array([2.0, 0.1])
     y, w = np.array([0.4, 0.0]), np.array([-0.5, 0.3])
     text = f"""
-        name = "oblique"
         dimension = 2
         [points]
         a = {{ position = {x.tolist()}, velocity = {v.tolist()}, mass = {m} }}
@@ -136,7 +134,6 @@ def _rod(e: float) -> System:
     """Rod that falls on one end without friction: impulse (1 + e) v/(1/m + r^2/J)."""
     m, half, J, tilt, h = 0.9, 0.5, 0.08, 0.5, 0.6
     text = f"""
-        name = "rod"
         dimension = 2
         gravity = [0, {-G}]
         [bodies.b]
@@ -172,7 +169,6 @@ def _stops() -> System:
     """Rotor between two stops: even turning between impacts."""
     J, w, e, low, high = 0.5, 3.0, 0.8, -0.4, 0.7
     text = f"""
-        name = "stops"
         dimension = 2
         [bodies]
         r = {{ position = [0, 0], mass = 1, inertia = {J}, angular_velocity = {w} }}
@@ -197,7 +193,6 @@ def _stopped_pendulum() -> System:
     """Pendulum that swings against a stop: DOP853 between events of the angle."""
     m, r, J, e, start, low = 1.2, 0.5, 0.04, 0.6, 0.9, -0.2
     text = f"""
-        name = "stopped"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -235,7 +230,6 @@ def _rope(e: float) -> System:
     r, m = 0.8, 0.5
     x0, v0 = np.array([0.1, -0.2]), np.array([1.5, 0.9])
     text = f"""
-        name = "rope"
         dimension = 2
         [points]
         O = {{ position = [0, 0], fixed = true }}
@@ -270,7 +264,6 @@ def _buffer(name: str, law: str, damping: float, stop: float) -> System:
     """Mass against a compliant plane: m d'' = -K d^1.5 (1 + c d')."""
     m, K, speed, gap = 1.1, 2e4, 0.8, 0.01
     text = f"""
-        name = "buffer"
         dimension = 2
         [points]
         A = {{ position = [0, {gap}], velocity = [0, {-speed}], mass = {m} }}
@@ -307,7 +300,6 @@ def _table() -> System:
     """Mass that falls on a table that rises evenly: v' = V + e (V - v)."""
     h, e, V = 0.7, 0.6, 0.9
     text = f"""
-        name = "table"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -352,7 +344,6 @@ def _spinning(name: str, mu: float, velocity: Sequence[float], spin: Sequence[fl
     J = 0.4 * m * R * R
     v0, w0 = np.array([*velocity, 0.0]), np.array(spin)
     text = f"""
-        name = "spinning"
         gravity = [0, 0, {-G}]
         [bodies]
         b = {{ position = [0, 0, {R + h}], velocity = {v0.tolist()}, angular_velocity = {w0.tolist()}, mass = {m}, inertia = [{J!r}, {J!r}, {J!r}] }}

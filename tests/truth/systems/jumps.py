@@ -20,7 +20,6 @@ def _pushed(
 ) -> System:  # fmt: skip
     """Mass of 1 kg under a force that is c0 + c1 t on each piece (begin, end, c0, c1)."""
     text = f"""
-        name = "pushed"
         dimension = 2
         [points]
         A = {{ position = [0, 0], mass = 1.0 }}
@@ -64,7 +63,6 @@ def _kinked_driver() -> System:
     """Mass on a spring whose other end begins to move with a jump of its acceleration."""
     m, k, begin = 0.7, 90.0, 0.4173
     text = f"""
-        name = "kink"
         dimension = 2
         [points]
         P = {{ position = [0, 0], mass = 1.0 }}
@@ -91,7 +89,6 @@ def _brake(name: str, speed: float, stop: float) -> System:
     """Rotor braked by -T sign(w): it stops at J w/T and stays."""
     J, T = 1.3, 3.0
     text = f"""
-        name = "brake"
         dimension = 2
         [bodies]
         b = {{ position = [0, 0], mass = 1, inertia = {J}, angular_velocity = {speed} }}
@@ -117,7 +114,6 @@ def _rubbing_oscillator(name: str, start: float, stop: float) -> System:
     """Mass on a spring with friction -F sign(v): cosines about +-F/k (Den Hartog 1930)."""
     m, k, F = 1.0, 40.0, 4.0
     text = f"""
-        name = "rubbing"
         dimension = 2
         [points]
         A = {{ position = [{1 + start}, 0], mass = {m} }}
@@ -151,7 +147,6 @@ def _between_forces() -> System:
     """Mass that a force of one size pushes back to x = 0: parabolas of one period."""
     F, speed = 5.0, 1.4
     text = f"""
-        name = "between"
         dimension = 2
         [points]
         A = {{ position = [0, 0], velocity = [{speed}, 0], mass = 1.0 }}
@@ -175,7 +170,6 @@ def _speed_switch() -> System:
     """Wagon whose motor is off above a speed and on below: v' = a, then v' = a - b."""
     limit, a, b = 1.137, 2.0, 3.5
     text = f"""
-        name = "overrun"
         dimension = 2
         [points]
         A = {{ position = [0, 0], mass = 1.0 }}
@@ -201,7 +195,6 @@ def _free_angle() -> System:
     """Rotor on a spring whose free angle jumps: w^2 = k/J about the new angle."""
     J, k, jump, at = 0.3, 25.0, 0.5, 0.4173
     text = f"""
-        name = "clamp"
         dimension = 2
         [bodies]
         b = {{ position = [0, 0], mass = 1, inertia = {J} }}
@@ -232,7 +225,6 @@ def _struck_pendulum() -> System:
     ends = [(l1 * math.cos(start[0]), l1 * math.sin(start[0]))]
     middle = (ends[0][0] + l2 / 2 * math.cos(start[1]), ends[0][1] + l2 / 2 * math.sin(start[1]))
     text = f"""
-        name = "struck"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]

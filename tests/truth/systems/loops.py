@@ -71,7 +71,6 @@ def _four_bar(
     pin = a * math.cos(q0), a * math.sin(q0)
     at_pin = [-pin[1] * rate, pin[0] * rate]
     scene: dict[str, object] = {
-        "name": name,
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
@@ -136,7 +135,6 @@ def _slider_crank(offset: float, name: str, **more: object) -> System:
     lean, x = (float(v) for v in drawn[0])
     pin = a * math.cos(start), a * math.sin(start)
     scene = {
-        "name": name,
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
@@ -199,7 +197,6 @@ def _parallelogram() -> System:
     start = -0.5
     x, y = a * math.cos(start), a * math.sin(start)
     scene = {
-        "name": "parallelogram",
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
@@ -246,7 +243,6 @@ def _trammel() -> System:
     a, m, J, start = 1.2, 2.0, 0.35, 0.8
     x, y = a * math.cos(start), a * math.sin(start)
     scene = {
-        "name": "trammel",
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
@@ -310,7 +306,6 @@ def _five_bar() -> System:
 
     drawn, speed = values(lambda n: list(tip(n)), np.array([start]), np.array([rates]))
     scene = {
-        "name": "five_bar",
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
@@ -367,7 +362,6 @@ def _spatial_slider_crank() -> System:
     )
     axis = [0.0, -math.sin(tilt), math.cos(tilt)]
     scene = {
-        "name": "spatial_slider_crank",
         "gravity": [-2.0, 0, 0],
         "bodies": {
             "crank": {
@@ -427,7 +421,6 @@ def _cardan_pair() -> System:
 
     _, speed = values(lambda n: [driven(n[0])], np.array([[0.0]]), np.array([[rate]]))
     scene = {
-        "name": "cardan",
         "bodies": {
             "a": {
                 "position": [-0.3, 0, 0],

@@ -35,7 +35,7 @@ def _chain(
     ends = np.cumsum([[0.0, 0.0]] + [
         [a * np.cos(b), a * np.sin(b)] for a, b in zip(lengths, angles, strict=True)
     ], axis=0)  # fmt: skip
-    lines = [f'name = "{name}"', "dimension = 2", f"gravity = [0, {-G}]", "[bodies]"]
+    lines = ["dimension = 2", f"gravity = [0, {-G}]", "[bodies]"]
     for i, (a, m, J, b) in enumerate(zip(lengths, masses, inertias, angles, strict=True)):
         x, y = ((ends[i] + ends[i + 1]) / 2).tolist()
         lines.append(
@@ -86,7 +86,6 @@ def _points(
         joints[f"rod{i}"] = {"type": "distance", "points": [above, f"P{i}"]}
         above = f"P{i}"
     scene = {
-        "name": name,
         "dimension": 2,
         "gravity": [0, -G],
         "points": points,
@@ -127,7 +126,6 @@ def _large_swing() -> System:
     """Point pendulum of any amplitude: sin(angle/2) = k sn(K + w t), by Jacobi's functions."""
     length, top = 0.7, 2.4
     scene = {
-        "name": "large_swing",
         "dimension": 2,
         "gravity": [0, -G],
         "points": {
@@ -162,7 +160,6 @@ def _spherical() -> System:
     """Point on a rod in space, started across: angles from the vertical and round it."""
     length, tilt, around = 1.3, 1.1, 1.9
     scene = {
-        "name": "spherical_pendulum",
         "gravity": [0, 0, -G],
         "points": {
             "O": {"position": [0, 0, 0], "fixed": True},
@@ -200,7 +197,6 @@ def _on_cart() -> System:
     slope, cart, bar, J, half = 0.3, 4.0, 1.5, 0.09, 0.45
     along = (math.cos(slope), math.sin(slope))
     scene = {
-        "name": "cart",
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
@@ -244,7 +240,6 @@ def _furuta() -> System:
     """Arm that turns about the vertical with a pendulum about it: two hinges at right angles."""
     arm, J_arm, mass, J, low = 0.4, (0.01, 0.055, 0.06), 0.7, (0.03, 0.031, 0.002), 0.3
     scene = {
-        "name": "furuta",
         "gravity": [0, 0, -G],
         "bodies": {
             "arm": {
@@ -320,7 +315,7 @@ def _arm_in_space() -> System:
         joints[f"j{i}"] = hinge(before, f"b{i}", [x, 0, 0], direction.tolist())
         velocity = velocity + np.cross(omega, 2 * half)
         before, x = f"b{i}", x + a
-    scene = {"name": "arm", "gravity": list(gravity), "bodies": bodies, "joints": joints}
+    scene = {"gravity": list(gravity), "bodies": bodies, "joints": joints}
 
     def mechanism(_: float, q: Sequence[Number]) -> Parts:
         found, energy = [], 0.0

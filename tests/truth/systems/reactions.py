@@ -18,7 +18,6 @@ def _pendulum(start: float, stop: float) -> System:
     """Pendulum on a rod: sin(a/2) = k sn(K + w t), pull m (g cos a + l a'^2)."""
     m, r = 1.7, 0.9
     text = f"""
-        name = "pendulum"
         dimension = 2
         gravity = [0, {-G}]
         [points]
@@ -44,7 +43,6 @@ def _bearing() -> System:
     """Compound pendulum: the bearing carries m (a - g)."""
     m, r, J, start = 2.2, 0.35, 0.06, 2.4
     text = f"""
-        name = "bearing"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -75,7 +73,6 @@ def _cantilever() -> System:
     """Bar fixed to a driven arm in the plane: force and torque of the fixed joint."""
     m, J, root, reach = 1.2, 0.04, 0.5, 0.8
     text = f"""
-        name = "cantilever"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -107,7 +104,6 @@ def _rod() -> System:
     """Slider on a massless rod from an even crank: rod m x''/cos b, guide by the rod's slope."""
     r, c, m, w = 0.15, 0.5, 2.0, 12.0
     text = f"""
-        name = "rod"
         dimension = 2
         [points]
         S = {{ position = [{r + c}, 0], mass = {m} }}
@@ -144,7 +140,6 @@ def _gear() -> System:
     """Two rotors with a gear: torque of the second one, J2 n T/(J1 + n^2 J2)."""
     J1, J2, n, T = 0.02, 0.11, -0.4, 1.5
     text = f"""
-        name = "gear"
         dimension = 2
         [bodies]
         a = {{ position = [0, 0], mass = 1, inertia = {J1} }}
@@ -172,7 +167,6 @@ def _wobbling_rotor() -> System:
     """Rotor in space whose axis is no principal one, turned evenly: torque w x J w."""
     w, J = 25.0, np.array([[0.3, 0.02, 0.05], [0.02, 0.4, -0.03], [0.05, -0.03, 0.5]])
     text = f"""
-        name = "wobble"
         [bodies]
         r = {{ position = [0, 0, 0], mass = 4, inertia = {J.tolist()} }}
         [joints]
@@ -197,7 +191,6 @@ def _turntable() -> System:
     m, J = 2.5, np.diag([0.05, 0.06, 0.02])
     place, root = np.array([0.6, 0.2, 0.7]), np.array([0.5, 0.2, 0.1])
     text = f"""
-        name = "turntable"
         gravity = [0, 0, {-G}]
         [bodies]
         table = {{ position = [0, 0, 0], mass = 6, inertia = [1, 1, 2] }}
@@ -234,7 +227,6 @@ def _slider() -> System:
     """Slider pushed above its mass centre: the guide's torque holds it level."""
     m, c, h = 1.8, (0.1, 0.25), (-0.2, 0.6)
     text = f"""
-        name = "slider"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -263,7 +255,6 @@ def _two_in_flight() -> System:
     m1, m2, d, w = 2.0, 0.7, 0.9, 9.0
     one, two = -d * m2 / (m1 + m2), d * m1 / (m1 + m2)
     text = f"""
-        name = "flight"
         dimension = 2
         [bodies]
         a = {{ position = [{one!r}, 0], velocity = [0.5, {one * w!r}], angular_velocity = {w}, mass = {m1}, inertia = 0.1 }}
@@ -292,7 +283,6 @@ def _conical() -> System:
     w = math.sqrt(G / (r * math.cos(a)))
     x = r * math.sin(a)
     text = f"""
-        name = "conical"
         gravity = [0, 0, {-G}]
         [points]
         A = {{ position = [{x!r}, 0, {-r * math.cos(a)!r}], velocity = [0, {x * w!r}, 0], mass = {m} }}
@@ -314,7 +304,6 @@ def _pushed_body() -> System:
     """Free body under a force that grows: momenta and work."""
     m, J, y0 = 3.0, 0.2, 0.4
     text = f"""
-        name = "pushed"
         dimension = 2
         [bodies]
         b = {{ position = [0, {y0}], velocity = [0, 0.5], angular_velocity = -2, mass = {m}, inertia = {J} }}

@@ -19,7 +19,6 @@ def _slope(name: str, part: float) -> System:
     """Disc that rolls down a slope: x'' = g sin a/(1 + J/(m R^2))."""
     m, R, tilt = 2.0, 0.3, 0.5
     text = f"""
-        name = "slope"
         dimension = 2
         gravity = [{G * math.sin(tilt)!r}, {-G * math.cos(tilt)!r}]
         [bodies]
@@ -44,7 +43,6 @@ def _eccentric() -> System:
     """Wheel whose mass centre is off its centre: one coordinate, the angle."""
     m, R, e, J = 1.5, 0.25, 0.11, 0.03
     text = f"""
-        name = "eccentric"
         dimension = 2
         gravity = [0, {-G}]
         [bodies]
@@ -71,7 +69,6 @@ def _rack() -> System:
     """Pinion with a torque and a rack on a slope: (J + m r^2) w' = T - m g r sin a."""
     m, r, J, T, rise = 2.5, 0.06, 0.004, 1.8, 0.4
     text = f"""
-        name = "rack"
         dimension = 2
         gravity = [{-G * math.sin(rise)!r}, {-G * math.cos(rise)!r}]
         [bodies]
@@ -100,7 +97,6 @@ def _sleigh(name: str, speed: float, spin: float, stop: float) -> System:
     """Chaplygin's sleigh: v' = a w^2, v^2 + b^2 w^2 = c^2 with b^2 = a^2 + J/m."""
     m, J, a = 2.0, 0.6, 0.4
     text = f"""
-        name = "sleigh"
         dimension = 2
         [bodies]
         s = {{ position = [0, 0], velocity = [{speed}, 0], angular_velocity = {spin}, center_of_mass = [{a}, 0], mass = {m}, inertia = {J} }}
@@ -130,7 +126,6 @@ def _knife() -> System:
     """Knife edge that turns on a slope: its place moves on a cycloid (Neimark and Fufaev 1972)."""
     w, pull = 2.1, 3.0
     text = f"""
-        name = "knife"
         dimension = 2
         gravity = [{pull}, 0]
         [bodies]
@@ -182,7 +177,6 @@ def _disc(name: str, lean: float, w: Sequence[float], stop: float, origin: str) 
     velocity = np.cross(turning, R * e2)
     # The disc's axis is the body's z axis.
     text = f"""
-        name = "disc"
         gravity = [0, 0, {-G}]
         [bodies.d]
         position = {(R * e2).tolist()}

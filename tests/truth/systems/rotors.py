@@ -10,7 +10,6 @@ from tests.truth.system import Array, System, Values
 def _driven(torque: float, inertia: float, brake: float) -> System:
     """Rotor with a torque and a brake of viscous friction: J w' = T - b w."""
     text = f"""
-        name = "driven_rotor"
         dimension = 2
         [bodies]
         r = {{ position = [0, 0], mass = 1, inertia = {inertia} }}
@@ -36,7 +35,6 @@ def _unbalanced(speed: float, offset: float, inertia: float) -> System:
     """Rotor whose mass centre is off the axis: it turns evenly and pulls with m e w^2."""
     mass = 2.0
     text = f"""
-        name = "unbalanced"
         dimension = 2
         [bodies.r]
         position = [0, 0]

@@ -31,7 +31,6 @@ def _oscillator(damping: float, name: str, fails: dict[str, int]) -> System:
     """Mass on a guide with a spring and a damper to the ground: one linear equation."""
     m, k, start = 1.7, 90.0, 0.25
     scene = {
-        "name": name,
         "dimension": 2,
         "bodies": {"b": {"position": [1.0 + start, 0], "mass": m, "inertia": 0.1}},
         "joints": {"guide": {"type": "prismatic", "bodies": ["ground", "b"], "axis": [1, 0]}},
@@ -83,7 +82,6 @@ def _row_of_masses() -> System:
         if c[i]:
             forces[f"d{i}"] = {"type": "damper", "points": pair, "damping": c[i], **at}
     scene = {
-        "name": "row",
         "dimension": 2,
         "bodies": {
             f"m{i}": {"position": [i + 1 + float(x0[i]), 0], "mass": M[i, i], "inertia": 0.1}
@@ -113,7 +111,6 @@ def _duffing() -> System:
     """Spring of energy a x^2/2 + b x^4/4: x = X cn(w t, k), Jacobi's function."""
     m, a, b, top = 0.8, 12.0, 40.0, 0.9
     scene = {
-        "name": "duffing",
         "dimension": 2,
         "points": {"A": {"position": [2 + top, 0], "mass": m}},
         "joints": {"g": {"type": "point_on_line", "point": "A", "axis": [1, 0]}},
@@ -143,7 +140,6 @@ def _torsion_pendulum() -> System:
     """Disc on a torsion spring and damper, free at an angle: J a'' + c a' + k (a - a0) = 0."""
     J, k, c, free = 0.06, 8.0, 0.05, 0.9
     scene = {
-        "name": "torsion",
         "bodies": {"d": {"position": [0, 0, 0], "mass": 1, "inertia": [0.04, 0.03, J]}},
         "joints": {"j": hinge("ground", "d", [0, 0, 0], [0, 0, 1])},
         "forces": {
@@ -170,7 +166,6 @@ def _kepler(eccentricity: float, name: str, internal_step: float, **more: object
     fast = math.sqrt(mu / a * (1 + eccentricity) / (1 - eccentricity))
     part = masses[1] / sum(masses), masses[0] / sum(masses)
     scene = {
-        "name": name,
         "dimension": 2,
         "points": {
             "A": {
@@ -230,7 +225,6 @@ def _spring_pendulum(space: bool, name: str, **more: object) -> System:
     if space:
         start, speed = [start[0], 0.0, start[1]], [0.0, start[0] * around, 0.0]
     scene = {
-        "name": name,
         "dimension": len(zero),
         "gravity": [*zero[:-1], -9.81],
         "points": {
@@ -266,7 +260,6 @@ def _bar_with_strut() -> System:
     J, m, c = 0.3, 2.0, (0.6, 0.0)
     end, wall, k, d, free = (0.9, 0.2), (0.4, 1.3), 150.0, 6.0, 0.9
     scene = {
-        "name": "strut",
         "dimension": 2,
         "gravity": [0, -9.81],
         "bodies": {
@@ -333,7 +326,6 @@ def _spring_between_free_bodies() -> System:
     part1, part2 = m2 / (m1 + m2), m1 / (m1 + m2)
     drift = np.array([0.3, -0.2, 0.1])
     scene = {
-        "name": "dumbbell",
         "bodies": {
             "a": {
                 "position": [-part1 * r0, 0, 0],
@@ -382,7 +374,6 @@ def _two_hinges_with_dampers() -> System:
     a, m, J1, J2 = 0.5, (1.5, 0.6), (0.01, 0.03, 0.03), (0.002, 0.01, 0.011)
     k, c, free = (20.0, 3.0), (0.3, 0.05), (0.4, -0.6)
     scene = {
-        "name": "two_hinges",
         "gravity": [0, 0, -9.81],
         "bodies": {
             "u": {"position": [a / 2, 0, 0], "mass": m[0], "inertia": list(J1)},
@@ -439,7 +430,6 @@ def _potential() -> System:
         return 0.5 * a * (x * x + y * y) + a * (x * x * y - y * y * y / 3)
 
     scene = {
-        "name": "well",
         "dimension": 2,
         "points": {"A": {"position": [0.3, -0.1], "velocity": [0.2, 1.1], "mass": m}},
         "forces": {

@@ -39,7 +39,6 @@ def _free(
 ) -> System:
     """Free body without loads: Euler's equations; its mass centre stands."""
     scene = {
-        "name": name,
         "bodies": {
             "b": {
                 "position": [0, 0, 0],
@@ -71,7 +70,6 @@ def _symmetric() -> System:
     A, C = 0.3, 0.5
     spin = np.array([1.2, 0.0, 7.0])
     scene = {
-        "name": "symmetric_body",
         "bodies": {
             "b": {
                 "position": [0, 0, 0],
@@ -102,7 +100,6 @@ def _heavy(
 ) -> System:  # fmt: skip
     """Top on a fixed tip; `inertia` about the mass centre, `spin` in body axes, tilt a rotation."""
     scene = {
-        "name": name,
         "gravity": [0, 0, -9.81],
         "bodies": {
             "b": {
@@ -151,7 +148,6 @@ def _steady() -> System:
     spin = [-p * np.sin(tilt), 0.0, p * np.cos(tilt) + own]
     centre = A - mass * length**2
     scene = {
-        "name": "steady_top",
         "gravity": [0, 0, -9.81],
         "bodies": {
             "b": {
@@ -189,7 +185,6 @@ def _gimbals() -> System:
     outer, inner, wheel = (0.02, 0.03, 0.025), (0.004, 0.006, 0.005), (0.002, 0.002, 0.0035)
     spin, torque = 60.0, 0.15
     scene = {
-        "name": "gimbals",
         "bodies": {
             "outer": {"position": [0, 0, 0.1], "mass": 1, "inertia": list(outer)},
             "inner": {"position": [0.05, 0, 0], "mass": 1, "inertia": list(inner)},
