@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.effort import Effort
-from benchmarks.mechanisms import GRAVITY, free_body, hanging_chain, start
+from benchmarks.mechanisms import GRAVITY, free_system, hanging_chain, start
 from benchmarks.observe import Observer
 from benchmarks.report import Goal, Section, Table, Value
 from solver.runtime import Integrator
@@ -158,7 +158,7 @@ def _timed_advance(integrator: Integrator, step: float) -> float:
 
 
 def _free_body(run: Run, effort: Effort) -> dict[str, Value]:
-    content = free_body()
+    content = free_system(3)
     integrator = start(content, step_size=run.h, **run.settings)
     observer = Observer(content, integrator)
     looks, stride = _length(run, effort)

@@ -13,13 +13,12 @@ from typing import Any
 
 import solver
 from solver.runtime import Integrator
-from tests import problems
-from tests.problems import GRAVITY, Content, four_bar, mechanism, rods, scene
+from tests.problems import GRAVITY, Content, four_bar, free_system, mechanism, rods, scene
 from tests.problems import chain as hanging_chain
 from tests.problems import travelling_wave as waving_chain
 
 __all__ = [
-    "GRAVITY", "Content", "chains_beside", "four_bar", "free_body", "hanging_chain", "scene",
+    "GRAVITY", "Content", "chains_beside", "four_bar", "free_system", "hanging_chain", "scene",
     "start", "start_scene", "waving_chain",
 ]  # fmt: skip
 
@@ -36,11 +35,6 @@ def chains_beside(count: int, n: int, angles: Iterable[float]) -> Content:
             points[name] = at | ({"mass": 0.1} if i else {"fixed": True})
         pairs += pairwise(names)
     return mechanism(f"beside{count}", 2, points=points, joints=rods(pairs, length=0.1))
-
-
-def free_body() -> Content:
-    """Five points, a bar, rods and springs that tumble in space, without gravity or support."""
-    return problems.free_system(3)
 
 
 def start(content: Content, **settings: Any) -> Integrator:

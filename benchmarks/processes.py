@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import json
-import statistics
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 from benchmarks.effort import Effort
 from benchmarks.first_step import PARTS
+from benchmarks.timing import Times
 from build_fmu import build
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -20,26 +20,16 @@ LIMIT = 5
 """Repetitions of what takes a process."""
 
 
-@dataclass(frozen=True, slots=True)
-class Durations:
-    """(CPU, wall) seconds of each repetition."""
+class Durations(NamedTuple):
+    """CPU and wall times of the same repetitions."""
 
-    runs: tuple[tuple[float, float], ...]
+    cpu: Times
+    wall: Times
 
-    @property
-    def cpu(self) -> float:
-        """Least CPU time [s]."""
-        return min(run[0] for run in self.runs)
-
-    @property
-    def wall(self) -> float:
-        """Least wall time [s]."""
-        return min(run[1] for run in self.runs)
-
-    @property
-    def noise(self) -> float:
-        """Median over minimum of the CPU time."""
-        return statistics.median(run[0] for run in self.runs) / max(self.cpu, 1e-9)
+    @classmethod
+    def of(cls, runs: Iterable[Iterable[float]]) -> Durations:
+        """Those of (CPU, wall) seconds of each repetition."""
+        return cls(*map(Times, zip(*runs, strict=True)))
 
 
 def build_times(scene: Path, target: Path, effort: Effort) -> dict[str, Durations]:
@@ -56,7 +46,7 @@ def build_times(scene: Path, target: Path, effort: Effort) -> dict[str, Duration
         cpu, begin = time.process_time(), time.perf_counter()
         build(scene, target)
         same.append((time.process_time() - cpu, time.perf_counter() - begin))
-    return {"new process": Durations(tuple(new)), "same process": Durations(tuple(same))}
+    return {"new process": Durations.of(new), "same process": Durations.of(same)}
 
 
 def first_step_times(fmu: Path, effort: Effort) -> dict[str, Durations]:
@@ -65,7 +55,7 @@ def first_step_times(fmu: Path, effort: Effort) -> dict[str, Durations]:
         json.loads(printed([sys.executable, "-m", "benchmarks.first_step", str(fmu)]))
         for _ in range(min(effort.repetitions, LIMIT))
     ]
-    return {part: Durations(tuple(tuple(run[part]) for run in runs)) for part in PARTS}
+    return {part: Durations.of(run[part] for run in runs) for part in PARTS}
 
 
 def printed(command: Sequence[str], folder: Path = ROOT) -> str:

@@ -48,7 +48,10 @@ def measure(effort: Effort) -> Section:
     for case in maps():
         ready = prepare(case, _stop(case, effort))
         rows.setdefault(case.name, []).extend(_map(ready, coarse))
-        rows[case.name].extend(_peers(peers, ready, coarse, remarks))
+        rows[case.name] += [
+            {"solver": peer, "setting": method, "penalty": ""} | _found(ready, seen)
+            for (peer, method), seen in _of_peers(peers, ready, coarse, remarks).items()
+        ]
     drawn = [
         Table(title=name.capitalize(), columns=MAP, rows=found) for name, found in rows.items()
     ]
@@ -106,7 +109,9 @@ def _chains(
         if n > effort.largest:
             continue
         case = chain(n, stop)
-        seen = _all(prepare(case, _stop(case, effort)), peers, grid, remarks)
+        ready = prepare(case, _stop(case, effort))
+        seen = {(OWN, PAIRS): scan(grid, lambda h, r=ready: run(r, h))}
+        seen |= _of_peers(peers, ready, grid, remarks)
         for bound in (LOOSE, TIGHT):
             key = f"{n} {stop:g} {bound:g}"
             columns[key] = f"N = {n}, {stop:g} s, {bound:.0%}"
@@ -120,11 +125,11 @@ def _chains(
     return Table(title=title, columns=columns, rows=list(rows.values())), goals
 
 
-def _all(
-    ready: Ready, peers: Iterable[str], grid: Sequence[float], remarks: list[str]
+def _of_peers(
+    peers: Iterable[str], ready: Ready, grid: Sequence[float], remarks: list[str]
 ) -> dict[tuple[str, str], Seen]:
-    """What was seen, by solver and method."""
-    seen = {(OWN, PAIRS): scan(grid, lambda h: run(ready, h))}
+    """What was seen of peers, by their name and method."""
+    seen: dict[tuple[str, str], Seen] = {}
     for peer in peers:
         theirs, problem = scanned(peer, ready, grid)
         remarks.extend([problem] if problem else [])
@@ -158,17 +163,6 @@ def _map(ready: Ready, grid: Sequence[float]) -> Rows:
             settings = {"formulation": formulation, "penalty": penalty}
             seen = scan(grid, lambda h, s=settings: run_by_paper(ready, h, **s))
             rows.append({**row, "setting": formulation, "penalty": penalty, **_found(ready, seen)})
-    return rows
-
-
-def _peers(peers: Iterable[str], ready: Ready, grid: Sequence[float], remarks: list[str]) -> Rows:
-    rows: Rows = []
-    for peer in peers:
-        theirs, problem = scanned(peer, ready, grid)
-        remarks.extend([problem] if problem else [])
-        for method, seen in theirs.items():
-            row = {"solver": peer, "setting": method, "penalty": ""}
-            rows.append(row | _found(ready, seen))
     return rows
 
 

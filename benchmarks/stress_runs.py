@@ -46,8 +46,10 @@ def run(text: str, h: float, count: int) -> Found:
         while taken < count:
             integrator.advance(integrator.time, h)
             taken += 1
-            found.energy = _worse(found.energy, integrator, "energy.error")
-            found.constraint = _worse(found.constraint, integrator, "constraint.position")
+            # A value that is not finite raises a StepError where it is read.
+            found.energy = max(found.energy, float(integrator["energy.error"]))
+            position = float(integrator["constraint.position"])
+            found.constraint = max(found.constraint, position)
             solves += float(integrator["solver.substeps"])
             iterations += float(integrator["solver.newton_iterations"])
     except (AssemblyError, StepError) as error:
@@ -55,8 +57,3 @@ def run(text: str, h: float, count: int) -> Found:
     found.newton = iterations / max(solves, 1.0)
     found.divided = solves / (2.0 * taken) if taken else 1.0
     return found
-
-
-def _worse(before: float, integrator: Integrator, name: str) -> float:
-    """Larger of two errors; a value that is not finite raises a StepError where it is read."""
-    return max(before, float(integrator[name]))

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -106,55 +106,37 @@ def _rigid_chain(n: int) -> Content:
     return content
 
 
-CONTENTS: dict[str, Callable[[], Content]] = {
-    "double_pendulum_30": lambda: hanging_chain(2, math.radians(30.0)),
-    "double_pendulum_90": lambda: hanging_chain(2),
-    "four_bar_2": lambda: tomllib.loads(generate.n_four_bar(2)),
-    "four_bar_40": lambda: tomllib.loads(generate.n_four_bar(40)),
-    "andrews": lambda: _drawn("andrews"),
-    "bricard": lambda: _drawn("bricard"),
-    "heavy_top": lambda: _drawn("heavy_top"),
-    "car_axis": lambda: _drawn("car_axis"),
-    "chain_10": lambda: waving_chain(10, 3),
-    "chain_100": lambda: waving_chain(100, 3),
-    "chain_1000": lambda: waving_chain(1000, 3),
-    "hanging_chain": _hanging_chain,
-    "governor": lambda: _drawn("flyball_governor"),
-    "rigid_chain_10": lambda: _rigid_chain(10),
-    "rigid_chain_100": lambda: _rigid_chain(100),
-    "stewart": lambda: content_of(stewart()),
-    "double_wishbone": _double_wishbone,
-    "net_30": lambda: content_of(net(30)),
+class Drawn(NamedTuple):
+    """A problem as we draw it."""
+
+    content: Callable[[], Content]
+    watched: tuple[str, ...]
+    """Our names of the places that it watches."""
+    first: int
+    """Steps of the coarsest run of order 8; the lower orders begin with more of them."""
+
+
+DRAWN = {
+    "double_pendulum_30": Drawn(lambda: hanging_chain(2, math.radians(30.0)), ("P1", "P2"), 20),
+    "double_pendulum_90": Drawn(lambda: hanging_chain(2), ("P1", "P2"), 40),
+    "four_bar_2": Drawn(lambda: tomllib.loads(generate.n_four_bar(2)), ("B0", "B2"), 40),
+    "four_bar_40": Drawn(lambda: tomllib.loads(generate.n_four_bar(40)), ("B0", "B40"), 40),
+    "andrews": Drawn(lambda: _drawn("andrews"), ("K1.tip", "K2.tip"), 8),
+    "bricard": Drawn(lambda: _drawn("bricard"), ("rod3.end",), 10),
+    "heavy_top": Drawn(lambda: _drawn("heavy_top"), ("top.nose",), 10),
+    "car_axis": Drawn(lambda: _drawn("car_axis"), ("A", "B"), 8),
+    "chain_10": Drawn(lambda: waving_chain(10, 3), ("P10", "P5"), 1),
+    "chain_100": Drawn(lambda: waving_chain(100, 3), ("P100", "P50"), 1),
+    "chain_1000": Drawn(lambda: waving_chain(1000, 3), ("P1000", "P500"), 1),
+    "hanging_chain": Drawn(_hanging_chain, ("P5", "P2"), 4),
+    "governor": Drawn(lambda: _drawn("flyball_governor"), ("slider", "right_ball"), 40),
+    "rigid_chain_10": Drawn(lambda: _rigid_chain(10), ("link10.end", "link5.end"), 10),
+    "rigid_chain_100": Drawn(lambda: _rigid_chain(100), ("link100.end", "link50.end"), 10),
+    "stewart": Drawn(lambda: content_of(stewart()), ("platform.watch0", "platform.watch1"), 10),
+    "double_wishbone": Drawn(_double_wishbone, ("car", "axle"), 2),
+    "net_30": Drawn(lambda: content_of(net(30)), ("P29_29", "P15_15"), 1),
 }
-"""Scenes by the key of the problem."""
-WATCHED = {
-    "double_pendulum_30": ("P1", "P2"),
-    "double_pendulum_90": ("P1", "P2"),
-    "four_bar_2": ("B0", "B2"),
-    "four_bar_40": ("B0", "B40"),
-    "andrews": ("K1.tip", "K2.tip"),
-    "bricard": ("rod3.end",),
-    "heavy_top": ("top.nose",),
-    "car_axis": ("A", "B"),
-    "chain_10": ("P10", "P5"),
-    "chain_100": ("P100", "P50"),
-    "chain_1000": ("P1000", "P500"),
-    "hanging_chain": ("P5", "P2"),
-    "governor": ("slider", "right_ball"),
-    "rigid_chain_10": ("link10.end", "link5.end"),
-    "rigid_chain_100": ("link100.end", "link50.end"),
-    "stewart": ("platform.watch0", "platform.watch1"),
-    "double_wishbone": ("car", "axle"),
-    "net_30": ("P29_29", "P15_15"),
-}
-"""Our names of the places that a problem watches."""
-FIRST = {
-    "double_pendulum_30": 20, "double_pendulum_90": 40, "four_bar_2": 40, "four_bar_40": 40,
-    "andrews": 8, "bricard": 10, "heavy_top": 10, "car_axis": 8, "chain_10": 1, "chain_100": 1,
-    "chain_1000": 1, "hanging_chain": 4, "governor": 40, "rigid_chain_10": 10,
-    "rigid_chain_100": 10, "stewart": 10, "double_wishbone": 2, "net_30": 1,
-}  # fmt: skip
-"""Steps of the coarsest run of order 8; the lower orders begin with more of them."""
+"""By the key of the problem."""
 WHEEL = 5e-4
 """Mass of the car's driven wheel in our scene [kg]; gravity is 1 m/s2 there."""
 
@@ -212,7 +194,7 @@ class _Runs:
     def __init__(self, problem: Problem) -> None:
         self._key = problem.key
         experiment = {"stop_time": problem.stop, "step_size": problem.stop}
-        self._content = CONTENTS[problem.key]() | {"experiment": experiment}
+        self._content = DRAWN[problem.key].content() | {"experiment": experiment}
         self._models: dict[str, Model] = {}
 
     def _model(self, curve: Curve, settings: Mapping[str, Value]) -> Model:
@@ -279,7 +261,7 @@ class _Runs:
 
 def steps(problem: Problem, order: int) -> list[float]:
     """Numbers of steps from coarse to fine."""
-    first = FIRST[problem.key] * {2: 2, 4: 1, 6: 1, 8: 1}[order]
+    first = DRAWN[problem.key].first * {2: 2, 4: 1, 6: 1, 8: 1}[order]
     return [float(first * 2**k) for k in range(14)]
 
 
@@ -287,7 +269,7 @@ def watched(problem: Problem, integrator: Integrator) -> tuple[Array, Array]:
     """Positions and velocities of the watched places, shape (places, 3)."""
     axes = "xy" if problem.planar else "xyz"
     values = np.zeros((2, len(problem.watch), 3))
-    for i, name in enumerate(WATCHED[problem.key]):
+    for i, name in enumerate(DRAWN[problem.key].watched):
         for k, axis in enumerate(axes):
             values[0, i, k] = integrator[f"{name}.{axis}"]
             values[1, i, k] = integrator[f"{name}.v{axis}"]

@@ -51,7 +51,7 @@ def reference(problem: Problem) -> Reference:
 def _ours(problem: Problem) -> Reference:
     """The end of our run of order 8 with steps far below those that are measured."""
     method = work_precision_ours.methods(problem)[work_precision_ours.ORDERS.index(8)]
-    count = FINEST * work_precision_ours.FIRST[problem.key]
+    count = FINEST * work_precision_ours.DRAWN[problem.key].first
     end = method.observe(problem, count)
     source = f"ours, order 8 with {count} steps"
     return Reference([list(q) for q in end.q], [list(v) for v in end.v], end.change, source)

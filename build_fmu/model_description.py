@@ -224,7 +224,7 @@ def unknowns(
 
     Of a model that was read from bytes these are not known, which means all: None.
     """
-    of_unknown = model.dependencies or {}
+    of_unknown: Mapping[int, Sequence[Sequence[int]]] = model.dependencies or {}
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
         for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
             known = None

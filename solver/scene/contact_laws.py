@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
-from solver.scene.friction import SMOOTH_SPEED, check_smooth
+from solver.scene.friction import SMOOTH_SPEED, check_sticking
 from solver.scene.quantities import COMPLIANT, CONTACT, FRICTION, Offer
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, PROPERTY, SHARE, Rule
@@ -135,16 +135,7 @@ class RubbingContact(Contact):
             message = "has no effect without friction"
             help = "write friction = ..., or leave it out"
             reader.draft.error((*path, "smooth_speed"), message, help)
-        check_smooth(reader, path, given.smooth_speed, given.static_friction, "static_friction")
-        if given.static_friction is None:
-            return
-        if given.friction is None:
+        check_sticking(reader, self, given, (*path, "static_friction"), "friction")
+        if given.static_friction is not None and given.friction is None:
             message = "'friction' is missing: the coefficient while it slides"
             reader.draft.error(path, message, "write friction = ...")
-            return
-        assert self.friction is not None
-        assert self.static_friction is not None
-        sliding, static = map(reader.value, (self.friction, self.static_friction))
-        if sliding is not None and static is not None and static < sliding and sliding >= 0.0:
-            message = f"must be >= friction = {sliding:.15g}, got {static:.15g}"
-            reader.draft.error((*path, "static_friction"), message)

@@ -24,11 +24,24 @@ ABOUT = turning(ALONG)
 SMOOTH_SPEED = "slip s over which friction is smoothed, s/sqrt(s^2 + smooth_speed^2): no stick"
 
 
-def check_smooth(reader: "Reader", path: Path, smooth: Any, static: Any, field: str) -> None:
-    """Check that smooth friction, which never sticks, has no coefficient of sticking."""
-    if smooth is not None and static is not None:
+def check_sticking(reader: "Reader", part: Part, given: Any, path: Path, slides: str) -> None:
+    """Check a coefficient of sticking, at `path`, against that of the part while it `slides`.
+
+    It is none smaller, and there is none with smooth friction, which never sticks.
+    """
+    field = str(path[-1])
+    if getattr(given, field) is not None and given.smooth_speed is not None:
         message = "has no effect with smooth_speed: smooth friction never sticks"
-        reader.draft.error((*path, field), message, "leave out one of the two")
+        reader.draft.error(path, message, "leave out one of the two")
+    if BROKEN in (getattr(given, field), getattr(given, slides)):
+        return
+    sliding, static = (
+        None if (number := getattr(part, name)) is None else reader.value(number)
+        for name in (slides, field)
+    )
+    if sliding is not None and static is not None and 0.0 <= static < sliding:
+        message = f"must be >= {slides} = {sliding:.15g}, got {static:.15g}"
+        reader.draft.error(path, message)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,12 +73,7 @@ class JointFriction(Part):
         if given.coefficient is None and given.preload is None:
             help = "write coefficient = ..., preload = ... or both"
             draft.error(path, "neither 'coefficient' nor 'preload' is given", help)
-        check_smooth(reader, path, given.smooth_speed, given.static, "static")
-        if self.static is not None and given.static is not BROKEN:
-            sliding, static = map(reader.value, (self.coefficient, self.static))
-            if sliding is not None and static is not None and 0.0 <= static < sliding:
-                message = f"must be >= coefficient = {sliding:.15g}, got {static:.15g}"
-                draft.error((*path, "static"), message)
+        check_sticking(reader, self, given, (*path, "static"), "coefficient")
 
 
 def _with_radius(needed: bool) -> kind.Reading:

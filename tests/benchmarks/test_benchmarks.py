@@ -12,7 +12,7 @@ import pytest
 from benchmarks import __main__ as command
 from benchmarks import instructions, kernel_run, skips
 from benchmarks.effort import QUICK, TINY, Effort
-from benchmarks.mechanisms import four_bar, free_body, hanging_chain, scene, start, waving_chain
+from benchmarks.mechanisms import four_bar, free_system, hanging_chain, scene, start, waving_chain
 from benchmarks.observe import Observer
 from benchmarks.report import Goal, Section, as_json, as_markdown, merged
 from benchmarks.timing import Entry, interleave
@@ -26,7 +26,7 @@ MACHINE = {"processor": "some", "cores": "1"}
 
 @pytest.mark.parametrize(
     "content",
-    [hanging_chain(5), waving_chain(10, 3), four_bar(), free_body()],
+    [hanging_chain(5), waving_chain(10, 3), four_bar(), free_system(3)],
     ids=lambda content: content["name"],
 )
 def test_the_observer_sees_what_the_solver_reports(content):
@@ -42,7 +42,7 @@ def test_the_observer_sees_what_the_solver_reports(content):
 
 
 def test_the_observer_sees_the_momenta_of_a_free_body():
-    content = free_body()
+    content = free_system(3)
     integrator = start(content)
     observer = Observer(content, integrator)
     linear, angular = observer.momenta()

@@ -159,7 +159,7 @@ def test_equations_and_numbers_have_the_same_start_and_energy(key):
 def test_scene_and_numbers_have_the_same_start_and_energy(key):
     problem = problem_of(key)
     q, v, energy = start_of(problem)
-    integrator = start_scene(scene(work_precision_ours.CONTENTS[key]()))
+    integrator = start_scene(scene(work_precision_ours.DRAWN[key].content()))
     our_q, our_v = work_precision_ours.watched(problem, integrator)
     # 1e-13: Andrews' scene is closed by a Newton iteration.
     assert our_q == pytest.approx(q, abs=1e-13)
@@ -175,7 +175,7 @@ def test_the_mechanism_as_drawn_moves_as_the_reduced_equations_say(key):
     problem = replace(problem_of(key), stop=SHORT * problem_of(key).stop)
     method = work_precision_ours.methods(problem)[3]
     assert method.name == "holonom order 8"
-    found = method.observe(problem, 8 * work_precision_ours.FIRST[key])
+    found = method.observe(problem, 8 * work_precision_ours.DRAWN[key].first)
     q, v, _ = state_of(key, problem.stop)
     # A wrong mass or length would be 1e-3.
     assert distance(found.q, q.tolist()) < 1e-5
@@ -186,7 +186,7 @@ def test_the_mechanism_as_drawn_moves_as_the_reduced_equations_say(key):
 def test_with_dampers_orders_2_and_8_come_to_the_reduced_equations(key):
     problem = replace(problem_of(key), stop=0.1 * problem_of(key).stop)
     plain, *_, eighth, _ = work_precision_ours.methods(problem)
-    counts = [16 * work_precision_ours.FIRST[key] * k for k in (1, 2)]
+    counts = [16 * work_precision_ours.DRAWN[key].first * k for k in (1, 2)]
     coarse, fine = (np.array(plain.observe(problem, n).q) for n in counts)
     q, _, _ = state_of(key, problem.stop)
     assert distance(((4 * fine - coarse) / 3).tolist(), q.tolist()) < 1e-5
