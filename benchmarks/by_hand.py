@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ctypes
 import platform
-import subprocess
 import sys
 from array import array
 from pathlib import Path
@@ -26,25 +25,12 @@ ROUND_OFF = 32.0 * 2.3e-16
 
 def build(name: str, folder: Path) -> Path:
     """Compile `handwritten/<name>.c` with the kernel's flags; the library's path."""
-    from build_kernel.compiler import CompilerError, flags, system_compiler, zig_compiler
+    from benchmarks.processes import printed
+    from build_kernel.compiler import any_compiler, flags
 
-    compiler = system_compiler() or zig_compiler()
-    if compiler is None:
-        text = "there is no C compiler here for the steps written by hand; install one, or ziglang"
-        raise CompilerError(text)
     library = folder / f"{name}.library"
-    command = [
-        *compiler,
-        *flags(platform.system()),
-        "-fvisibility=default",
-        "-o",
-        str(library),
-        f"{name}.c",
-        "-lm",
-    ]
-    run = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, check=False)
-    if run.returncode:
-        raise CompilerError(run.stderr)
+    options = *flags(platform.system()), "-fvisibility=default", "-o", str(library)
+    printed([*any_compiler(), *options, f"{name}.c", "-lm"], FOLDER)
     return library
 
 

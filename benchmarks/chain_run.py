@@ -12,8 +12,9 @@ import time
 from pathlib import Path
 
 import solver
-from benchmarks.effort import Effort
+from benchmarks.effort import repeated
 from benchmarks.mechanisms import start_scene, waving_chain
+from benchmarks.report import Value
 from benchmarks.stepping import Repeated
 from benchmarks.timing import interleave
 from scenes.generate import rigid_chain
@@ -31,7 +32,7 @@ def text_of(kind: str, n: int) -> dict[str, str]:
     return {"text": rigid_chain(n), "format": "toml"}
 
 
-def run(kind: str, n: int, count: int, repetitions: int) -> dict[str, float | str | None]:
+def run(kind: str, n: int, count: int, repetitions: int) -> dict[str, Value]:
     """Measure a chain, `count` half steps at a time."""
     start_scene(solver.loads(**text_of(kind, 10)))  # what the first scene imports is no part of it
     text = text_of(kind, n)
@@ -45,7 +46,7 @@ def run(kind: str, n: int, count: int, repetitions: int) -> dict[str, float | st
     doubles = len(engine.numbers) + len(engine.state) + len(engine.work)
     integers = sum(len(table) for table in model.tables.values())
     after = peak_bytes()
-    facts: dict[str, float | str | None] = {
+    facts: dict[str, Value] = {
         "kind": kind,
         "n": n,
         "read": read - begin,
@@ -56,25 +57,16 @@ def run(kind: str, n: int, count: int, repetitions: int) -> dict[str, float | st
     return facts | steps(model, max(1, count // 2), repetitions)
 
 
-def steps(model: Model, count: int, repetitions: int) -> dict[str, float | str | None]:
+def steps(model: Model, count: int, repetitions: int) -> dict[str, Value]:
     """Seconds and Newton iterations of a half step; or why there is none."""
     integrator = Integrator(model)
     integrator.initialise()
-    repeated = Repeated(integrator, STEP, count, WARM_UP)
-    if repeated.failure:
-        return {"failure": repeated.failure}
-    effort = Effort(
-        name="child", scale=1.0, repetitions=repetitions, budget=0.5, largest=1, steps=0
-    )
-    times = interleave({"steps": repeated.entry}, effort)["steps"]
-    return {
-        "step": times.minimum / repeated.solves,
-        "noise": times.noise,
-        "newton": repeated.newton_per_solve,
-        "energy": float(integrator["energy.error"]),
-        "constraint": float(integrator["constraint.position"]),
-        "failure": "some steps halved" if repeated.halved else "",
-    }
+    case = Repeated(integrator, STEP, count, WARM_UP)
+    if case.failure:
+        return {"failure": case.failure}
+    times = interleave({"steps": case.entry}, repeated(repetitions, 0.5))["steps"]
+    row = case.row(times)
+    return {**row, "step": times.minimum / case.solves, "failure": row.pop("remark")}
 
 
 def peak_bytes() -> float | None:

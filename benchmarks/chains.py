@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import json
-import math
-import subprocess
 import sys
 from dataclasses import dataclass
-from pathlib import Path
 
 from benchmarks.effort import Effort
-from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.processes import printed
+from benchmarks.report import Goal, Section, Table, Value, exponent
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,24 +33,19 @@ FIRST_OF_FIT = 100
 
 COLUMNS = {
     "what": "chain of",
-    "n": "N",
-    "step": "µs per half step",
-    "node": "µs per half step and part",
-    "newton": "Newton iterations",
-    "energy": "energy.error",
-    "constraint": "constraint.position",
-    "noise": "noise",
-    "read": "read, s",
-    "assemble": "assemble, s",
-    "kernel": "kernel, bytes per part",
-    "peak": "process, bytes per part",
+    "n": ("N", ".0f"),
+    "step": ("µs per half step", ".4g"),
+    "node": ("µs per half step and part", ".3f"),
+    "newton": ("Newton iterations", ".1f"),
+    "energy": ("energy.error", ".1e"),
+    "constraint": ("constraint.position", ".1e"),
+    "noise": ("noise", ".2f"),
+    "read": ("read, s", ".2f"),
+    "assemble": ("assemble, s", ".2f"),
+    "kernel": ("kernel, bytes per part", ".0f"),
+    "peak": ("process, bytes per part", ".0f"),
     "remark": "",
 }
-FORMATS = {
-    "n": ".0f", "step": ".4g", "node": ".3f", "newton": ".1f", "noise": ".2f",
-    "energy": ".1e", "constraint": ".1e",
-    "read": ".2f", "assemble": ".2f", "kernel": ".0f", "peak": ".0f",
-}  # fmt: skip
 
 
 def measure(effort: Effort) -> Section:
@@ -68,7 +61,7 @@ def measure(effort: Effort) -> Section:
             "kernel works on; *process* is the growth of the largest memory of the process, with "
             "Python's objects."
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         goals=[goal for kind in KINDS for goal in _goals(kind, rows, effort)],
         remarks=[
             f"{row['what']}, N = {row['n']}: {row['failure']}" for row in rows if row["failure"]
@@ -92,7 +85,7 @@ def _goals(kind: Kind, rows: list[dict[str, Value]], effort: Effort) -> list[Goa
     return [
         Goal(
             what=f"p in {what} {span}", unit="1", goal=LINEAR,
-            value=_exponent(mine, largest, column),
+            value=exponent(mine, (FIRST_OF_FIT, largest), column),
         )
         for what, column in found.items()
     ]  # fmt: skip
@@ -102,17 +95,12 @@ def _child(kind: Kind, n: int, effort: Effort) -> dict[str, Value]:
     """What was measured, in a process of its own."""
     count = effort.count(max(2, kind.steps_times_n // n), least=2)
     numbers = [str(number) for number in (n, count, effort.repetitions)]
-    run = subprocess.run(
-        [sys.executable, "-m", "benchmarks.chain_run", kind.key, *numbers],
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=Path(__file__).resolve().parents[1],
-    )
-    if run.returncode:
-        reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
+    command = [sys.executable, "-m", "benchmarks.chain_run", kind.key, *numbers]
+    try:
+        return json.loads(printed(command))
+    except RuntimeError as error:
+        reason = str(error).rpartition("\n")[2]
         return {"kind": kind.key, "n": n, "failure": reason}
-    return json.loads(run.stdout)
 
 
 def _row(kind: Kind, facts: dict[str, Value]) -> dict[str, Value]:
@@ -130,16 +118,3 @@ def _row(kind: Kind, facts: dict[str, Value]) -> dict[str, Value]:
     row["start"] = float(facts.get("read") or 0) + float(facts.get("assemble") or 0) or None
     row["remark"] = "see below" if facts["failure"] else ""
     return row
-
-
-def _exponent(rows: list[dict[str, Value]], largest: int, column: str) -> float | None:
-    """Slope between the chain of 100 parts and the longest; None when either was not measured."""
-    points = [
-        (math.log(float(row["n"] or 0)), math.log(float(value)))
-        for row in rows
-        if row["n"] in (FIRST_OF_FIT, largest) and (value := row.get(column)) is not None
-    ]
-    if len(points) != 2:
-        return None
-    (small, first), (large, last) = points
-    return (last - first) / (large - small)

@@ -29,3 +29,10 @@ class Effort:
 FULL = Effort(name="full", scale=1.0, repetitions=15, budget=2.0, largest=100_000, steps=10)
 QUICK = Effort(name="quick", scale=0.05, repetitions=3, budget=0.3, largest=10_000, steps=6)
 TINY = Effort(name="tiny", scale=1e-4, repetitions=1, budget=0.0, largest=10, steps=2)
+
+
+def repeated(repetitions: int, budget: float) -> Effort:
+    """So many repetitions, each until its budget [s] is spent; of a process that times alone."""
+    return Effort(
+        name="child", scale=1.0, repetitions=repetitions, budget=budget, largest=1, steps=1
+    )

@@ -1,224 +1,118 @@
-"""Mechanisms of `scenes/` as an engineer would write them for Exudyn.
+"""Mechanisms of `scenes/` for Exudyn, of which `tests/recorded/` has the motion.
 
-Nothing of holonom is used here, so that the models serve as an oracle and as a peer, in any
-interpreter that has `exudyn`. Where a scene has a redundant row, its joint lacks that row here.
+Nothing of holonom's solver is used here, so that the models serve as an oracle, in any interpreter
+that has `exudyn`. Where a scene has a redundant row, its joint lacks that row here.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
 
-import numpy as np
-from exudyn.utilities import (
-    InertiaCuboid,
-    InertiaMassPoint,
-    RigidBodyInertia,
-    RotationMatrixX,
-    RotationMatrixY,
-)
+import exudyn as exu
+from exudyn.utilities import SensorObject
 
-from benchmarks.exudyn_system import Drawing, Vector
+from benchmarks.exudyn_problem import Build
+from benchmarks.problems import bricard, double_wishbone, governor, heavy_top
+from benchmarks.problems_parts import GROUND, Body, Joint, O, Problem, Spring, X
+from benchmarks.problems_space import box
+from benchmarks.problems_vehicles import DOWN
 
-
-def _compact(mass: float, moments: Vector, com: Vector = (0.0, 0.0, 0.0)) -> RigidBodyInertia:
-    """Principal moments [kg m2] about the centre of mass."""
-    tensor = np.diag(np.array(moments, dtype=float))
-    return RigidBodyInertia(mass, tensor, np.array(com, dtype=float), inertiaTensorAtCOM=True)
-
-
-def _box(mass: float, a: float, b: float, c: float) -> RigidBodyInertia:
-    return InertiaCuboid(mass / (a * b * c), [a, b, c])
+Model = tuple[Problem, Callable[[Build], None], tuple[str, ...]]
+"""A problem, what is drawn besides, and names of the places that it watches."""
+SPEED = 150.0
+"""Of the crank [rad/s]."""
 
 
-# ------------------------------------------------------------------------------------- mechanisms
-
-X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
-
-
-def bricard() -> Drawing:
-    """`scenes/bricard.toml`; the sixth hinge leaves one rotation across its axis to the others."""
-    drawing = Drawing((0.0, -9.81, 0.0))
-    long = {"x": (1.0, 0.1, 0.1), "y": (0.1, 1.0, 0.1), "z": (0.1, 0.1, 1.0)}
-    middles = [(0.5, 0, 0), (1, -0.5, 0), (1, -1, 0.5), (0.5, -1, 1), (0, -0.5, 1)]
-    rods = [
-        drawing.body(middle, _box(1.0, *long[axis]))
-        for middle, axis in zip(middles, "xyzxy", strict=True)
-    ]
-    corners = [(0, 0, 0), (1, 0, 0), (1, -1, 0), (1, -1, 1), (0, -1, 1)]
-    for i, (corner, axis) in enumerate(zip(corners, [Y, Z, X, Y, Z], strict=True)):
-        before = rods[i - 1] if i else drawing.ground
-        drawing.joint("Revolute", [before, rods[i]], corner, axis=axis)
-    loose = [1, 1, 1, 0, 1, 0]
-    drawing.joint("Generic", [rods[4], drawing.ground], (0, 0, 1), constrainedAxes=loose)
-    drawing.watch("rod3.end", rods[2], (0, 0, 0.5))
-    return drawing
+def nothing(_: Build) -> None:
+    """Draw nothing else."""
 
 
-def heavy_top() -> Drawing:
-    """`scenes/heavy_top.toml`, its origin in the centre of mass."""
-    drawing = Drawing((0.0, 0.0, -20.0))
-    turn = RotationMatrixX(0.05)
-    spin = turn @ np.array([0.0, 0.0, 50.0])
-    top = drawing.body(
-        turn @ np.array([0.0, 0.0, 1.0]),
-        _compact(1.0, (4, 4, 1)),
-        referenceRotationMatrix=turn,
-        initialVelocity=[0.0, 0.0, 0.0],
-        initialAngularVelocity=list(spin),
+def slider_crank(more: Callable[[Build], None]) -> Model:
+    """`scenes/spatial_slider_crank.toml`; the hinge at the wrist holds the rod in its plane."""
+    mass, half = 7870 * 0.15 * 0.01 * 0.01, 0.075
+    moving = {"velocity": (0.0, half * SPEED, 0.0)}
+    bodies = {
+        "crank": Body(
+            mass=mass, position=(half, 0, 0), inertia=box(mass, (0.15, 0.01, 0.01)),
+            omega=(0.0, 0.0, SPEED), **moving,
+        ),
+        "rod": Body(
+            mass=0.151104, position=(0.3, 0, 0), inertia=(1e-6, 0.0045339259, 0.0045339259),
+            omega=(0.0, 0.0, -0.5 * SPEED), **moving,
+        ),
+        "slider": Body(mass=0.075552, position=(0.45, 0, 0), inertia=(1e-5,) * 3),
+    }  # fmt: skip
+    hinge = [] if more is _motor else [Joint(kind="revolute", pair=(GROUND, "crank"))]
+    wrist = {"position": (0.15, 0, 0), "redundant": True}
+    joints = (
+        *hinge,
+        Joint(kind="spherical", pair=("crank", "rod"), **wrist),
+        Joint(kind="revolute", pair=("rod", "slider"), position=(0.45, 0, 0)),
+        Joint(kind="prismatic", pair=(GROUND, "slider"), position=(0.45, 0, 0), axis=X),
     )
-    drawing.joint("Spherical", [drawing.ground, top], (0, 0, 0))
-    drawing.watch("top.nose", top)
-    drawing.watch("top.side", top, (1, 0, -1))
-    return drawing
+    springs = (Spring(ends=((GROUND, (0.7, 0, 0)), ("slider", O)), stiffness=500.0, length=0.2),)
+    problem = Problem(
+        key="slider_crank", title="Spatial slider-crank", stop=0.1, gravity=DOWN, bodies=bodies,
+        joints=joints, springs=springs, planar=False,
+        watch=(("slider", O), ("crank", (half, 0, 0))),
+    )  # fmt: skip
+    return problem, more, ("slider", "crank.pin")
 
 
-def _slider_crank(driven: bool) -> Drawing:
-    drawing = Drawing()
-    ground, speed = drawing.ground, 150.0
-    crank = drawing.body(
-        (0.075, 0, 0),
-        InertiaCuboid(7870, [0.15, 0.01, 0.01]),
-        initialVelocity=[0, 0.075 * speed, 0],
-        initialAngularVelocity=[0, 0, speed],
-    )
-    rod = drawing.body(
-        (0.3, 0, 0),
-        _compact(0.151104, (1e-6, 0.0045339259, 0.0045339259)),
-        initialVelocity=[0, 0.075 * speed, 0],
-        initialAngularVelocity=[0, 0, -0.5 * speed],
-    )
-    slider = drawing.body((0.45, 0, 0), _compact(0.075552, (1e-5, 1e-5, 1e-5)))
-    if driven:
-        motor = drawing.joint(
-            "Generic",
-            [ground, crank],
-            (0, 0, 0),
-            offsetUserFunction=lambda _mbs, t, _item, _parameters: [0, 0, 0, 0, 0, speed * t],
-        )
-        drawing.watch_torque("motor", motor)
-    else:
-        drawing.joint("Revolute", [ground, crank], (0, 0, 0), axis=Z)
-    # The hinge at the wrist already holds the rod in its plane.
-    drawing.joint("Spherical", [crank, rod], (0.15, 0, 0), constrainedAxes=[1, 1, 0])
-    drawing.joint("Revolute", [rod, slider], (0.45, 0, 0), axis=Z)
-    drawing.joint("Prismatic", [ground, slider], (0.45, 0, 0), axis=X)
-    drawing.system.CreateSpringDamper(
-        itemNumbers=[ground, slider],
-        localPosition0=[0.7, 0, 0],
-        referenceLength=0.2,
-        stiffness=500.0,
-    )
-    drawing.watch("slider", slider)
-    drawing.watch("crank.pin", crank, (0.075, 0, 0))
-    return drawing
+def _motor(build: Build) -> None:
+    """Turn the crank at a constant speed, and record the torque on it, in the joint's axes."""
+    motor = build.system.CreateGenericJoint(
+        itemNumbers=[build.ground, build.bodies["crank"]], position=[0, 0, 0],
+        offsetUserFunction=lambda _mbs, t, _item, _parameters: [0, 0, 0, 0, 0, SPEED * t],
+    )  # fmt: skip
+    kind = exu.OutputVariableType.TorqueLocal
+    sensor = SensorObject(objectNumber=motor, outputVariableType=kind, storeInternal=True)
+    build.sensors["motor", ""] = build.system.AddSensor(sensor)
 
 
-def spatial_slider_crank() -> Drawing:
-    """`scenes/spatial_slider_crank.toml`, driven at a constant 150 rad/s."""
-    return _slider_crank(driven=True)
+def wavy_wishbone() -> Model:
+    """`scenes/double_wishbone.toml` on a road of height 0.03 (1 - cos 6 t)."""
+    flat = double_wishbone(0.0)
+    coil, tyre = flat.springs
+    patch = Body(mass=1.0, position=(0.0, -0.75, 0.0))
+    names = "car", "axle", "upright"
+    middle = ("upright", (0.0, -0.7 - flat.bodies["upright"].position[1], 0.0))
+    problem = replace(
+        flat, bodies={**flat.bodies, "patch": patch}, watch=(*flat.watch, middle),
+        springs=(coil, replace(tyre, ends=(("patch", O), tyre.ends[1]))),
+    )  # fmt: skip
+    return problem, _road, names
 
 
-def free_slider_crank() -> Drawing:
-    """The same without its motor, let go at 150 rad/s."""
-    return _slider_crank(driven=False)
+def _road(build: Build) -> None:
+    def height(_system: object, t: float, _item: int, _offset: float) -> float:
+        return 0.03 * (1 - math.cos(6 * t))
 
-
-def flyball_governor() -> Drawing:
-    """`scenes/flyball_governor.toml`; each ball is a part of its rod."""
-    drawing = Drawing()
-    ground, speed, alpha, density = drawing.ground, 2 * math.pi, math.pi / 6, 3000.0
-    turning = {"initialAngularVelocity": [0, 0, speed]}
-    post = InertiaCuboid(density, [0.01, 0.01, 1])
-    shaft = drawing.body((0, 0, 0.5), post, **turning)
-    slider = drawing.body((0, 0, 0.5), InertiaCuboid(density, [0.1, 0.1, 0.1]), **turning)
-    x, z = 0.05 + 0.5 * math.cos(alpha), 1 - 0.5 * math.sin(alpha)
-    drawing.joint("Revolute", [ground, shaft], (0, 0, 0), axis=Z)
-    drawing.joint("Prismatic", [shaft, slider], (0, 0, 0.5), axis=Z)
-    for side in (1, -1):
-        ball = InertiaMassPoint(5.0).Translated([0.5 * side, 0, 0])
-        rod = drawing.body(
-            (side * x, 0, z),
-            InertiaCuboid(density, [1, 0.01, 0.01]) + ball,
-            referenceRotationMatrix=RotationMatrixY(side * alpha),
-            initialVelocity=[0, side * speed * x, 0],
-            **turning,
-        )
-        drawing.joint("Revolute", [shaft, rod], (0.05 * side, 0, 1), axis=Y)
-        drawing.system.CreateSpringDamper(
-            itemNumbers=[slider, rod],
-            localPosition0=[0.05 * side, 0, 0],
-            referenceLength=0.5,
-            stiffness=8e5,
-            damping=4e4,
-        )
-        if side == 1:
-            drawing.watch("right_ball", rod, (0.5, 0, 0))
-    drawing.watch("slider", slider)
-    return drawing
-
-
-ROAD = "0.03*(1 - cos(6*t))"
-"""Height of the road [m] in `double_wishbone`."""
-
-
-def _road(_system: object, t: float, _item: int, _offset: float) -> float:
-    return 0.03 * (1 - math.cos(6 * t))
-
-
-def double_wishbone(wavy: bool = True) -> Drawing:
-    """`scenes/double_wishbone.toml` on the road `ROAD` or on a flat one.
-
-    The axle is a part of the upright.
-    """
-    drawing = Drawing()
-    system, ground = drawing.system, drawing.ground
-    car = drawing.body((0, 0, 0.5), _compact(400, (40, 40, 40)))
-    lower = drawing.body((0, -0.5, 0.21), _compact(4, (0.04, 0.03, 0.06)))
-    upper = drawing.body((-0.01, -0.52, 0.43), _compact(2, (0.01, 0.01, 0.02)))
-    axle = InertiaMassPoint(5.0).Translated([0, -0.05, 0])
-    upright = drawing.body((0, -0.7, 0.31), _compact(20, (0.5, 0.7, 0.5)) + axle)
-    drawing.joint("Prismatic", [ground, car], (0, 0, 0.5), axis=Z)
-    drawing.joint("Revolute", [car, lower], (0, -0.35, 0.22), axis=X)
-    drawing.joint("Revolute", [car, upper], (0, -0.4, 0.44), axis=[1, 0, 0.05])
-    drawing.joint("Spherical", [lower, upright], (0, -0.7, 0.2))
-    drawing.joint("Spherical", [upper, upright], (-0.02, -0.65, 0.43))
-    rack, steer = [-0.15, -0.35, -0.28], [-0.15, 0.02, -0.08]
-    system.CreateDistanceConstraint(
-        itemNumbers=[car, upright], localPosition0=rack, localPosition1=steer
-    )
-    patch = system.CreateMassPoint(referencePosition=[0, -0.75, 0], mass=1.0)
     for axis in range(3):
-        system.CreateCoordinateConstraint(
-            itemNumbers=[None, patch],
-            coordinates=[None, axis],
-            offsetUserFunction=_road if wavy and axis == 2 else 0,
-        )
-    _struts(drawing, (lower, car), (patch, upright))
-    drawing.watch("car", car)
-    drawing.watch("axle", upright, (0, -0.05, 0))
-    drawing.watch("upright", upright)
-    return drawing
+        build.system.CreateCoordinateConstraint(
+            itemNumbers=[None, build.bodies["patch"]], coordinates=[None, axis],
+            offsetUserFunction=height if axis == 2 else 0,
+        )  # fmt: skip
 
 
-def _struts(drawing: Drawing, coil: tuple[int, int], tyre: tuple[int, int]) -> None:
-    """Coil spring with damper between arm and car, and the tyre on its patch."""
-    drawing.system.CreateSpringDamper(
-        itemNumbers=list(coil),
-        localPosition0=[0, -0.1, 0],
-        localPosition1=[0, -0.45, 0.2],
-        referenceLength=math.hypot(0.15, 0.49) + 5.9e3 / 60e3,
-        stiffness=60e3,
-        damping=5e3,
-    )
-    drawing.system.CreateSpringDamper(
-        itemNumbers=list(tyre),
-        localPosition1=[0, -0.05, 0],
-        referenceLength=0.31 + 9.81 * 431 / 200e3,
-        stiffness=200e3,
-        damping=500.0,
-    )
+MODELS: dict[str, Callable[[], Model]] = {
+    "bricard": lambda: (bricard(), nothing, ("rod3.end",)),
+    "heavy_top": lambda: (heavy_top(), nothing, ("top.nose",)),
+    "spatial_slider_crank": lambda: slider_crank(_motor),
+    "free_slider_crank": lambda: slider_crank(nothing),
+    "flyball_governor": lambda: (governor(), nothing, ("slider", "right_ball")),
+    "double_wishbone": wavy_wishbone,
+}
 
 
-def flat_double_wishbone() -> Drawing:
-    """Double wishbone on a flat road: without calls into Python."""
-    return double_wishbone(wavy=False)
+def moved(name: str, stop: float, period: float, step: float, newton: float) -> dict:
+    """Places of a model, (times, 3) by name, recorded every `period` [s] in steps of `step` [s]."""
+    problem, more, names = MODELS[name]()
+    build = Build(problem, period, more)
+    build.solve(round(stop / step), stop, newton=newton)
+    found = build.recorded()
+    watched = enumerate(zip(names, problem.watch, strict=True))
+    places = {name: found[body, f"watch{i}"] for i, (name, (body, _)) in watched}
+    return places | {key[0]: table for key, table in found.items() if not key[1]}

@@ -6,12 +6,13 @@ package `exudyn` (the extra `peers`).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 from benchmarks.effort import Effort
 from benchmarks.peer_interpreter import InterpreterError, answer, packages_there, remarks
+from benchmarks.report import Value
 
 PACKAGE = "exudyn"
 METHOD = (
@@ -23,11 +24,11 @@ METHOD = (
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """`count` steps of a length [s] of a model of `benchmarks.exudyn_models` or `exudyn_planar`."""
+    """`count` steps of a length [s] of a function of `benchmarks.problems` with its arguments."""
 
     key: str
     model: str
-    n: int | None
+    arguments: tuple[float, ...]
     step: float
     count: int
 
@@ -44,8 +45,17 @@ def measured(jobs: Sequence[Job], effort: Effort) -> tuple[dict[str, dict[str, A
         "jobs": [asdict(job) for job in jobs],
     }
     try:
-        found = answer(["-m", "benchmarks.exudyn_run"], request)
+        found = answer(["-m", "benchmarks.peer_run", "benchmarks.exudyn_run"], request)
     except InterpreterError as error:
         return {}, [*told, f"Exudyn: {error}"]
     failures = [f"Exudyn, {key}: {row['failure']}" for key, row in found.items() if row["failure"]]
     return found, [*told, *failures]
+
+
+def beside(row: dict[str, Value], theirs: Mapping[str, Any]) -> dict[str, Value]:
+    """Put Exudyn's time and iterations of a step into a row with our own time `solve` [µs]."""
+    if "solve" not in row:
+        return row
+    exudyn = 1e6 * theirs["step"] if theirs.get("step") else None
+    ratio = exudyn / float(row["solve"]) if exudyn else None
+    return row | {"exudyn": exudyn, "ratio": ratio, "their_newton": theirs.get("newton")}

@@ -1,12 +1,15 @@
-"""A problem of the work-precision curves as a model of Exudyn, body by body and joint by joint.
+"""A problem as a model of Exudyn, body by body and joint by joint, and its solution.
 
-Planar bodies have three coordinates, points two or three, bodies in space Euler parameters; point
-chains have distance constraints. Nothing of holonom's solver is used here.
+Exudyn (J. Gerstmayr, "Exudyn - a C++-based Python package for flexible multibody systems",
+Multibody System Dynamics 60 (2024) 533-561): planar bodies have three coordinates, points two or
+three, bodies in space Euler parameters; point chains have distance constraints. Nothing of
+holonom's solver is used here.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 
 import exudyn as exu
 import numpy as np
@@ -25,13 +28,25 @@ from exudyn.itemInterface import (
 )
 from exudyn.utilities import RigidBodyInertia, SensorBody
 
-from benchmarks.problems_parts import GROUND, Body, Joint, Place, Problem, Spring
+from benchmarks.problems_parts import GROUND, Body, Joint, O, Place, Problem, Spring
+
+DENSE = 4
+"""Bodies up to which Exudyn's dense solver is the faster one."""
+KINDS = exu.DynamicSolverType
+ALPHA, TRAPEZOIDAL = (KINDS.GeneralizedAlpha, 0.9), (KINDS.TrapezoidalIndex2, 1.0)
+"""Methods: integrator and spectral radius; generalized alpha is of index 3."""
 
 
 class Build:
-    """System of a problem, assembled; its sensors record while `period` [s] is not None."""
+    """System of a problem, assembled; its sensors record while `period` [s] is not None.
 
-    def __init__(self, problem: Problem, period: float | None = None) -> None:
+    `more` draws what a `Problem` has no words for.
+    """
+
+    def __init__(
+        self, problem: Problem, period: float | None = None,
+        more: Callable[[Build], None] = lambda _: None,
+    ) -> None:  # fmt: skip
         self.problem, self.period = problem, period
         self.container = exu.SystemContainer()
         self.system = self.container.AddSystem()
@@ -47,10 +62,58 @@ class Build:
             self.system.AddLoad(LoadTorqueVector(markerNumber=marker, loadVector=[0, 0, value]))
         if problem.key == "car_axis":
             self._axle()
-        self._sensors: dict[tuple[str, str], int] = {}
-        if period is not None:
-            self._watch()
+        self.looks = {key: look for key, look in self._looks()}
+        """What is read of bodies, and at which place in their axes."""
+        self.sensors: dict[tuple[str, str], int] = {}
+        for key, (kind, place) in self.looks.items() if period is not None else ():
+            sensor = SensorBody(
+                bodyNumber=self.bodies[key[0]], localPosition=place, outputVariableType=kind,
+                storeInternal=True,
+            )  # fmt: skip
+            self.sensors[key] = self.system.AddSensor(sensor)
+        more(self)
         self.system.Assemble()
+
+    def solve(
+        self, count: int, stop: float | None = None, method: tuple = ALPHA, newton: float = 1e-8,
+        iterations: int | None = None,
+    ) -> None:  # fmt: skip
+        """Take so many equal steps to `stop` [s], by default the problem's end.
+
+        `newton` is the relative tolerance of Newton's iteration, modified unless a number of
+        `iterations` is allowed.
+
+        Raises
+        ------
+        ArithmeticError
+            When a step fails; the text is Exudyn's reason.
+        """
+        settings, (kind, radius) = exu.SimulationSettings(), method
+        time, solution = settings.timeIntegration, settings.solution
+        stop = self.problem.stop if stop is None else stop
+        time.endTime, time.numberOfSteps = stop, count
+        time.automaticStepSize = time.adaptiveStep = False
+        time.verboseMode = 0
+        time.generalizedAlpha.spectralRadius = radius
+        time.newton.useModifiedNewton = iterations is None
+        time.newton.maxIterations = iterations or time.newton.maxIterations
+        time.newton.relativeTolerance, time.newton.absoluteTolerance = newton, 1e-2 * newton
+        solution.file.write = False
+        solution.sensors.writePeriod = self.period or 10.0 * stop
+        sparse, solvers = len(self.problem.bodies) > DENSE, exu.LinearSolverType
+        settings.linearSolver.solverType = solvers.EigenSparse if sparse else solvers.EXUdense
+        try:
+            done = self.system.SolveDynamic(settings, solverType=kind, showHints=False)
+        except (RuntimeError, ValueError, exu.SolverError) as error:
+            raise ArithmeticError(str(error).strip().partition("\n")[0][:80]) from error
+        if not done:
+            message = "a step failed"
+            raise ArithmeticError(message)
+
+    @property
+    def newton(self) -> int:
+        """Newton iterations of the last solution."""
+        return self.system.sys["dynamicSolver"].it.newtonStepsCount
 
     # ----------------------------------------------------------------------------------- bodies
 
@@ -121,12 +184,15 @@ class Build:
         elif self.problem.planar:
             markers = [self._marker((n, tuple(self._at(n, joint.position)))) for n in joint.pair]
             self.system.AddObject(ObjectJointRevolute2D(markerNumbers=markers))
+        elif joint.kind == "spherical":
+            self.system.CreateSphericalJoint(
+                itemNumbers=pair, position=list(joint.position),
+                constrainedAxes=[1, 1, not joint.redundant],
+            )  # fmt: skip
         elif joint.redundant:
             self.system.CreateGenericJoint(
                 itemNumbers=pair, position=list(joint.position), constrainedAxes=[1, 1, 1, 0, 1, 0]
             )
-        elif joint.kind == "spherical":
-            self.system.CreateSphericalJoint(itemNumbers=pair, position=list(joint.position))
         else:
             create = getattr(self.system, f"Create{joint.kind.capitalize()}Joint")
             create(itemNumbers=pair, position=list(joint.position), axis=list(joint.axis))
@@ -186,38 +252,31 @@ class Build:
 
     # ---------------------------------------------------------------------------------- sensors
 
-    def _watch(self) -> None:
-        kinds = exu.OutputVariableType
-        for name, body in self.problem.bodies.items():
-            self._sensor(name, "x", kinds.Position)
-            self._sensor(name, "v", kinds.Velocity)
-            if not body.is_point:
-                planar = self.problem.planar
-                self._sensor(
-                    name, "w", kinds.AngularVelocity if planar else kinds.AngularVelocityLocal
-                )
-        for i, (name, place) in enumerate(self.problem.watch):
-            self._sensor(name, f"watch{i}", kinds.Position, place)
-            self._sensor(name, f"speed{i}", kinds.Velocity, place)
-        for i, spring in enumerate(self.problem.springs):
-            for j, (name, place) in enumerate(spring.ends):
-                if name != GROUND:
-                    self._sensor(name, f"spring{i}{j}", kinds.Position, place)
+    def _looks(self) -> Iterator[tuple[tuple[str, str], tuple[exu.OutputVariableType, list]]]:
+        """Body, what is read of it, in which way, and at which place from its centre of mass."""
+        kinds, problem = exu.OutputVariableType, self.problem
+        turning = kinds.AngularVelocity if problem.planar else kinds.AngularVelocityLocal
+        found = []
+        for name, body in problem.bodies.items():
+            found += [(name, "x", kinds.Position, O), (name, "v", kinds.Velocity, O)]
+            found += [] if body.is_point else [(name, "w", turning, O)]
+        for i, (name, place) in enumerate(problem.watch):
+            found += [(name, f"watch{i}", kinds.Position, place)]
+            found += [(name, f"speed{i}", kinds.Velocity, place)]
+        for i, spring in enumerate(problem.springs):
+            ends = enumerate(spring.ends)
+            found += [(n, f"spring{i}{j}", kinds.Position, at) for j, (n, at) in ends if n]
+        for name, what, kind, place in found:
+            yield (name, what), (kind, [float(x) for x in place])
 
-    def _sensor(
-        self, name: str, what: str, kind: exu.OutputVariableType, place: tuple[float, ...] = ()
-    ) -> None:
-        sensor = SensorBody(
-            bodyNumber=self.bodies[name],
-            localPosition=[float(x) for x in place or (0, 0, 0)],
-            outputVariableType=kind,
-            storeInternal=True,
-        )
-        self._sensors[name, what] = self.system.AddSensor(sensor)
+    def now(self, name: str, what: str) -> np.ndarray:
+        """What is read of a body at present, (1, 3)."""
+        kind, place = self.looks[name, what]
+        return np.array([self.system.GetObjectOutputBody(self.bodies[name], kind, place)])
 
     def recorded(self) -> dict[tuple[str, str], np.ndarray]:
         """(samples, 3) of each sensor."""
         return {
             key: np.array(self.system.GetSensorStoredData(number))[:, 1:]
-            for key, number in self._sensors.items()
+            for key, number in self.sensors.items()
         }

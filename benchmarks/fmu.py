@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import fmpy
 from fmpy.fmi2 import FMU2Slave
@@ -33,20 +33,20 @@ OVERHEAD, BUILD, LOAD = 15.0, 1.5, 0.3
 
 COLUMNS = {
     "scene": "scene",
-    "step": "doStep, µs",
-    "library": "Integrator.advance, µs",
-    "kernel": "kernel alone, µs",
-    "above": "doStep above the kernel, µs",
-    "outputs": "number of outputs",
-    "read": "getReal of all outputs, µs",
-    "noise": "noise of doStep",
+    "step": ("doStep, µs", ".1f"),
+    "library": ("Integrator.advance, µs", ".1f"),
+    "kernel": ("kernel alone, µs", ".1f"),
+    "above": ("doStep above the kernel, µs", ".1f"),
+    "outputs": ("number of outputs", ".0f"),
+    "read": ("getReal of all outputs, µs", ".1f"),
+    "noise": ("noise of doStep", ".2f"),
 }
-FORMATS = dict.fromkeys(("step", "library", "kernel", "above", "read"), ".1f") | {
-    "outputs": ".0f",
-    "noise": ".2f",
+PART_COLUMNS = {
+    "part": "part",
+    "cpu": ("CPU, s", ".3f"),
+    "wall": ("wall, s", ".3f"),
+    "noise": ("noise of CPU", ".2f"),
 }
-PART_COLUMNS = {"part": "part", "cpu": "CPU, s", "wall": "wall, s", "noise": "noise of CPU"}
-PART_FORMATS = {"cpu": ".3f", "wall": ".3f", "noise": ".2f"}
 
 
 def measure(effort: Effort) -> Section:
@@ -73,41 +73,23 @@ def measure(effort: Effort) -> Section:
             "new process each time, a new unpack folder each time, files in the system's cache."
         ),
         tables=[
-            Table(title="A communication step", columns=COLUMNS, rows=steps, formats=FORMATS),
-            Table(
-                title="Building and loading",
-                columns=PART_COLUMNS,
-                rows=parts,
-                formats=PART_FORMATS,
-            ),
+            Table(title="A communication step", columns=COLUMNS, rows=steps),
+            Table(title="Building and loading", columns=PART_COLUMNS, rows=parts),
         ],
         goals=_goals(steps[0], building["new process"], after_import),
     )
 
 
 def _goals(steps: dict[str, Value], building: Durations, loading: Durations) -> list[Goal]:
-    above = steps["above"]
+    what = f"doStep of {INTERNAL} internal steps above the kernel, double pendulum"
     return [
-        Goal(
-            what=f"doStep of {INTERNAL} internal steps above the kernel, double pendulum",
-            unit="µs",
-            goal=OVERHEAD,
-            value=above if isinstance(above, float) else None,
-            noise=float(steps["noise"] or 0.0),
-        ),
-        Goal(
-            what="build of an FMU in a new process, CPU",
-            unit="s",
-            goal=BUILD,
-            value=building.cpu,
-            noise=building.noise,
-        ),
-        Goal(
-            what="load and first step in fmpy, after importing fmpy, CPU",
-            unit="s",
-            goal=LOAD,
-            value=loading.cpu,
-            noise=loading.noise,
+        Goal.of_row(what, OVERHEAD, steps, "above"),
+        *(
+            Goal(what=f"{what}, CPU", unit="s", goal=goal, value=times.cpu, noise=times.noise)
+            for what, goal, times in (
+                ("build of an FMU in a new process", BUILD, building),
+                ("load and first step in fmpy, after importing fmpy", LOAD, loading),
+            )
         ),
     ]
 
@@ -121,6 +103,24 @@ def _sum(parts: list[Durations]) -> Durations:
     return Durations(tuple((sum(r[0] for r in run), sum(r[1] for r in run)) for run in runs))
 
 
+def started(path: Path, folder: Path | str, description: Any, slave: type[Any]) -> Any:
+    """Slave of fmpy for an FMU, which is unpacked into a folder, at the start of its run."""
+    fmpy.extract(str(path), str(folder))
+    assert description.coSimulation is not None
+    fmu = slave(
+        guid=description.guid,
+        unzipDirectory=str(folder),
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="timed",
+    )
+    fmu.instantiate()
+    if slave is FMU2Slave:
+        fmu.setupExperiment(startTime=0.0)
+    fmu.enterInitializationMode()
+    fmu.exitInitializationMode()
+    return fmu
+
+
 class Running:
     """An instance in fmpy that repeats the same communication steps."""
 
@@ -128,18 +128,7 @@ class Running:
         description = fmpy.read_model_description(str(path))
         outputs = [v for v in description.modelVariables if v.causality == "output"]
         self.outputs = [variable.valueReference for variable in outputs]
-        fmpy.extract(str(path), str(folder))
-        assert description.coSimulation is not None
-        self.fmu = FMU2Slave(
-            guid=description.guid,
-            unzipDirectory=str(folder),
-            modelIdentifier=description.coSimulation.modelIdentifier,
-            instanceName="timed",
-        )
-        self.fmu.instantiate()
-        self.fmu.setupExperiment(startTime=0.0)
-        self.fmu.enterInitializationMode()
-        self.fmu.exitInitializationMode()
+        self.fmu = started(path, folder, description, FMU2Slave)
         self.fmu.doStep(0.0, INTERNAL * STEP)
         self._state = self.fmu.getFMUState()
 

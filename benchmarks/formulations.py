@@ -22,13 +22,12 @@ BLOW_UP = 10.0
 
 COLUMNS = {
     "formulation": "formulation",
-    "h": "h, s",
-    "energy": "largest |ΔE|, J",
-    "balance": "with penalties, J",
-    "residual": "largest |Φ|/L²",
+    "h": ("h, s", "g"),
+    "energy": ("largest |ΔE|, J", ".1e"),
+    "balance": ("with penalties, J", ".1e"),
+    "residual": ("largest |Φ|/L²", ".1e"),
     "end": "outcome",
 }
-FORMATS = {"h": "g", "energy": ".1e", "balance": ".1e", "residual": ".1e"}
 
 
 def measure(effort: Effort) -> Section:
@@ -42,7 +41,6 @@ def measure(effort: Effort) -> Section:
                 for formulation in FORMULATIONS
                 for h in STEPS
             ],
-            formats=FORMATS,
         )
         for name, n in RODS.items()
     ]

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 import solver
@@ -23,6 +24,7 @@ from benchmarks.mechanisms import (
     waving_chain,
 )
 from benchmarks.report import Goal, Section, Table, Value
+from build_kernel.compiler import CompilerError
 
 ROOT = Path(__file__).resolve().parents[1]
 STEP = 1e-3
@@ -35,13 +37,12 @@ WHOLE_BLOCKS += ":glibc.cpu.x86_rep_movsb_threshold=1000000000"
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "solves": "inner steps",
-    "count": "instructions per inner step",
-    "point": "per inner step and point",
-    "hand": "written by hand",
-    "ratio": "times as many",
+    "solves": ("inner steps", ".0f"),
+    "count": ("instructions per inner step", ".0f"),
+    "point": ("per inner step and point", ".0f"),
+    "hand": ("written by hand", ".0f"),
+    "ratio": ("times as many", ".1f"),
 }
-FORMATS = {"solves": ".0f", "count": ".0f", "point": ".0f", "hand": ".0f", "ratio": ".1f"}
 METHOD = (
     "Machine instructions of the process, counted by valgrind --tool=callgrind: difference of two "
     "runs from the initial configuration, one of three times the steps, divided by the difference "
@@ -61,7 +62,7 @@ def measure(effort: Effort) -> Section:
         for name, (content, points, steps) in mechanisms().items():
             try:
                 row = _count(name, content, effort.count(steps, least=2))
-            except RuntimeError as error:
+            except (RuntimeError, CompilerError) as error:
                 remarks.append(f"{name}: not counted: {error}")
                 continue
             rows.append({"mechanism": name} | row | {"point": float(row["count"]) / points})
@@ -72,7 +73,7 @@ def measure(effort: Effort) -> Section:
         name="instructions",
         title="Instructions",
         method=METHOD,
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)] if rows else [],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)] if rows else [],
         goals=goals,
         remarks=remarks,
     )
@@ -130,9 +131,21 @@ def _difference(arguments: list[str], steps: int, folder: str) -> tuple[float, f
 
 def _run(arguments: list[str], folder: str) -> tuple[int, int]:
     """Implicit solves, which the process prints, and its instructions."""
-    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/counts"]
+    said, count = counted([sys.executable, *arguments], folder)
+    return int(said.split()[-1]), count
+
+
+def counted(command: Sequence[str], folder: str | Path) -> tuple[str, int]:
+    """What a process prints, and its instructions.
+
+    Raises
+    ------
+    RuntimeError
+        When they cannot be counted, with the reason.
+    """
+    tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/counts"]
     run = subprocess.run(
-        [*command, sys.executable, *arguments],
+        [*tool, *command],
         capture_output=True,
         text=True,
         check=False,
@@ -143,4 +156,4 @@ def _run(arguments: list[str], folder: str) -> tuple[int, int]:
     if run.returncode or total is None:
         reason = run.stderr.strip().rpartition("\n")[2]
         raise RuntimeError(reason or f"valgrind ended with code {run.returncode}")
-    return int(run.stdout.split()[-1]), int(total[1])
+    return run.stdout, int(total[1])

@@ -46,25 +46,26 @@ FREE = (
     Run("order 8", {"order": 8}, 0.1, 100_000, 30),
 )
 
-COMMON = {"stepping": "steps", "h": "h, s", "count": "number", "solves": "implicit solves"}
+COMMON = {
+    "stepping": "steps",
+    "h": ("h, s", "g"),
+    "count": ("number", ".0e"),
+    "solves": ("implicit solves", ".0e"),
+}
 COLUMNS = COMMON | {
-    "energy": "largest |ΔE|, J",
-    "early": "the same in the first 2e5 steps, J",
-    "relative": "largest |ΔE|/E",
-    "residual": "largest |Φ|/L²",
-    "seconds": "CPU s",
-    "solve": "µs per implicit solve",
+    "energy": ("largest |ΔE|, J", ".1e"),
+    "early": ("the same in the first 2e5 steps, J", ".1e"),
+    "relative": ("largest |ΔE|/E", ".1e"),
+    "residual": ("largest |Φ|/L²", ".1e"),
+    "seconds": ("CPU s", ".2f"),
+    "solve": ("µs per implicit solve", ".2f"),
 }
 FREE_COLUMNS = COMMON | {
-    "energy": "energy",
-    "linear": "linear momentum",
-    "angular": "angular momentum",
-    "residual": "largest |Φ|/L²",
+    "energy": ("energy", ".1e"),
+    "linear": ("linear momentum", ".1e"),
+    "angular": ("angular momentum", ".1e"),
+    "residual": ("largest |Φ|/L²", ".1e"),
 }
-FORMATS = {
-    "h": "g", "count": ".0e", "solves": ".0e", "energy": ".1e", "early": ".1e", "relative": ".1e",
-    "residual": ".1e", "linear": ".1e", "angular": ".1e", "seconds": ".2f", "solve": ".2f",
-}  # fmt: skip
 
 
 def measure(effort: Effort) -> Section:
@@ -80,9 +81,9 @@ def measure(effort: Effort) -> Section:
         ),
         tables=[
             Table(title=f"Double pendulum from the horizontal; reference energy {STROKE:.1f} J",
-                  columns=COLUMNS, rows=rows, formats=FORMATS),
+                  columns=COLUMNS, rows=rows),
             Table(title="Free body in space (points, bar, rods, springs); largest relative change",
-                  columns=FREE_COLUMNS, rows=free, formats=FORMATS),
+                  columns=FREE_COLUMNS, rows=free),
         ],
         goals=[goal for row in rows for goal in _goals(row)],
         remarks=[

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import functools
-import re
 import shutil
-import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
@@ -19,10 +17,13 @@ from fmpy.fmi3 import FMU3Slave
 
 import solver
 from benchmarks.effort import Effort
+from benchmarks.fmu import started
+from benchmarks.instructions import counted
+from benchmarks.processes import printed
 from benchmarks.report import Goal, Section, Table, Value
 from build_fmu import build, sweep
 from build_fmu.platforms import SCOPES, library_scope
-from build_kernel.compiler import CompilerError, Kind, compile_library, system_compiler
+from build_kernel.compiler import CompilerError, Kind, any_compiler, compile_library
 
 ROOT = Path(__file__).resolve().parents[1]
 SCENES = ("double_pendulum", "four_bar", "bricard", "pendulum_with_stop", "flyball_governor")
@@ -36,36 +37,29 @@ MORE_IN_A_SWEEP = 1.1
 
 CALLS = {
     "scene": "scene",
-    "core": "holonom_advance in C, µs",
-    "c": "fmi2DoStep in C, µs",
-    "beyond": "beyond, µs",
-    "instructions": "beyond, instructions",
-    "fmi2": "beyond in fmpy, FMI 2.0, µs",
-    "fmi3": "beyond in fmpy, FMI 3.0, µs",
+    "core": ("holonom_advance in C, µs", ".2f"),
+    "c": ("fmi2DoStep in C, µs", ".2f"),
+    "beyond": ("beyond, µs", ".2f"),
+    "instructions": ("beyond, instructions", ".0f"),
+    "fmi2": ("beyond in fmpy, FMI 2.0, µs", ".2f"),
+    "fmi3": ("beyond in fmpy, FMI 3.0, µs", ".2f"),
 }
-CALL_FORMATS = {"instructions": ".0f"} | dict.fromkeys(
-    ("core", "c", "beyond", "fmi2", "fmi3"), ".2f"
-)
 OTHERS = {
     "scene": "scene",
-    "model": "model, kB",
-    "get": f"fmi2GetReal of {READ}, µs",
-    "copy": "fmi2GetFMUstate, µs",
-    "instance": "fmi2Instantiate and free, ms",
+    "model": ("model, kB", ".0f"),
+    "get": (f"fmi2GetReal of {READ}, µs", ".3f"),
+    "copy": ("fmi2GetFMUstate, µs", ".3f"),
+    "instance": ("fmi2Instantiate and free, ms", ".3f"),
 }
-OTHER_FORMATS = {"model": ".0f", "get": ".3f", "copy": ".3f", "instance": ".3f"}
 SWEEPS = {
     "scene": "scene",
-    "outputs": "outputs",
-    "c": "host in C, ms",
-    "memory": "sweep, ms",
-    "ratio": "ratio",
-    "file": "sweep into a .csv, ms",
-    "file_ratio": "ratio",
+    "outputs": ("outputs", ".0f"),
+    "c": ("host in C, ms", ".3f"),
+    "memory": ("sweep, ms", ".3f"),
+    "ratio": ("ratio", ".3f"),
+    "file": ("sweep into a .csv, ms", ".3f"),
+    "file_ratio": ("ratio", ".3f"),
 }
-SWEEP_FORMATS = {"outputs": ".0f", "c": ".3f", "memory": ".3f", "ratio": ".3f"} | {
-    "file": ".3f", "file_ratio": ".3f",
-}  # fmt: skip
 
 
 def measure(effort: Effort) -> Section:
@@ -74,7 +68,7 @@ def measure(effort: Effort) -> Section:
         try:
             chosen = SCENES[: effort.repetitions]  # fewer for a quick look
             fmus = [_unpacked(scene, Path(name)) for scene in chosen]
-        except CompilerError as error:
+        except (CompilerError, RuntimeError) as error:
             remarks.append(f"Not measured: {error}")
             fmus = []
         if not shutil.which("valgrind"):
@@ -98,9 +92,9 @@ def measure(effort: Effort) -> Section:
             f"in {ROUNDS} processes for the host and {ROUNDS} sweeps in turn."
         ),
         tables=[
-            Table(title="A communication step", columns=CALLS, rows=calls, formats=CALL_FORMATS),
-            Table(title="Other calls in C", columns=OTHERS, rows=others, formats=OTHER_FORMATS),
-            Table(title="A run in a sweep", columns=SWEEPS, rows=sweeps, formats=SWEEP_FORMATS),
+            Table(title="A communication step", columns=CALLS, rows=calls),
+            Table(title="Other calls in C", columns=OTHERS, rows=others),
+            Table(title="A run in a sweep", columns=SWEEPS, rows=sweeps),
         ],
         goals=[
             # Of longer steps the noise is longer than what is beyond them.
@@ -164,22 +158,18 @@ def _compiled(kind: Kind, folder: Path) -> tuple[Path, Path]:
     Raises
     ------
     CompilerError
-        Where there is no compiler, or the host does not compile: it is for Unix.
+        Where there is no compiler.
+    RuntimeError
+        Where the host does not compile: it is for Unix.
     """
-    compiler = system_compiler()
-    if compiler is None:
-        text = "there is no C compiler"
-        raise CompilerError(text)
+    compiler = any_compiler()
     sources, name = ROOT / "solver/kernel", f"{kind.dimension}_{kind.scope}"
     kernel, host = folder / f"kernel_{name}.so", folder / f"host_{name}"
     compile_library(compiler, sources, kind, kernel)
     include = f"-I{ROOT / 'fmu_src/native'}", f"-I{sources}"
     macros = f"-DDIM={kind.dimension}", f"-DHM_SCOPE={SCOPES.index(kind.scope)}"
     program = str(ROOT / "benchmarks/native_calls.c"), "-o", str(host), "-ldl"
-    command = [*compiler, "-std=c99", "-O2", *include, *macros, *program]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    if run.returncode:
-        raise CompilerError(run.stderr)
+    printed([*compiler, "-std=c99", "-O2", *include, *macros, *program])
     return kernel, host
 
 
@@ -194,10 +184,8 @@ def _command(
 
 def _in_c(*arguments: Any) -> dict[str, float]:
     """Seconds by the letters of native_calls.c; arguments as of ``_command``."""
-    run = subprocess.run(_command(*arguments), capture_output=True, text=True, check=False)
-    if run.returncode:
-        raise RuntimeError(run.stderr)
-    return {key: float(value) for key, value in map(str.split, run.stdout.splitlines())}
+    lines = printed(_command(*arguments)).splitlines()
+    return {key: float(value) for key, value in map(str.split, lines)}
 
 
 def _times(fmu: Unpacked, effort: Effort) -> dict[str, float]:
@@ -231,34 +219,18 @@ def _instructions(fmu: Unpacked, effort: Effort) -> float | None:
     if not shutil.which("valgrind"):
         return None
     few = effort.count(STEPS, 3)
-
-    def counted(what: str, count: int) -> int:
-        tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={fmu.folder}/counts"]
-        command = [*tool, *_command(fmu, STEP, count, 1, what, [])]
-        run = subprocess.run(command, capture_output=True, text=True, check=True)
-        total = re.search(r"Collected : (\d+)", run.stderr)
-        assert total
-        return int(total[1])
-
-    fmi, core = ((counted(what, 3 * few) - counted(what, few)) / (2 * few) for what in "da")
-    return fmi - core
+    numbers = [
+        counted(_command(fmu, STEP, count, 1, what, []), fmu.folder)[1]
+        for what in "da"
+        for count in (3 * few, few)
+    ]
+    return (numbers[0] - numbers[1] - numbers[2] + numbers[3]) / (2 * few)
 
 
 def _in_fmpy(path: Path, slave: type[Any], count: int, repetitions: int) -> float:
     """Least seconds of a doStep of fmpy's slave."""
-    description = fmpy.read_model_description(str(path))
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        fmpy.extract(str(path), folder)
-        assert description.coSimulation
-        fmu = slave(
-            guid=description.guid, unzipDirectory=folder, instanceName="timed",
-            modelIdentifier=description.coSimulation.modelIdentifier,
-        )  # fmt: skip
-        fmu.instantiate()
-        if slave is FMU2Slave:
-            fmu.setupExperiment(startTime=0.0)
-        fmu.enterInitializationMode()
-        fmu.exitInitializationMode()
+        fmu = started(path, folder, fmpy.read_model_description(str(path)), slave)
         fmu.doStep(0.0, STEP)
         state, times = fmu.getFMUState(), [k * STEP for k in range(1, count + 1)]
         least = float("inf")

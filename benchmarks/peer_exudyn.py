@@ -1,94 +1,45 @@
-"""Exudyn on the problems of the work-precision curves; runs where the package `exudyn` is.
-
-J. Gerstmayr, "Exudyn - a C++-based Python package for flexible multibody systems", Multibody System
-Dynamics 60 (2024) 533-561.
-"""
+"""Exudyn on the problems of the work-precision curves; runs where the package `exudyn` is."""
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 
-import exudyn as exu
 import numpy as np
 
-from benchmarks.exudyn_problem import Build
+from benchmarks.exudyn_problem import ALPHA, TRAPEZOIDAL, Build
 from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
 from benchmarks.problems import PROBLEMS
 from benchmarks.problems_parts import Problem, energies
 from benchmarks.timing import Entry
 
-DENSE = 4
-"""Bodies up to which Exudyn's dense solver is the faster one."""
 FIRST = {"andrews": 100, "heavy_top": 100, "governor": 200, "car_axis": 100}
 """Steps of the coarsest run; chains of points begin with some that lead to steps of 1 ms."""
 NEWTON, FINE = (1e-8, 1e-11), 10_000
 """Relative tolerances: Exudyn's own, and one for runs of so many steps, where it would show."""
-KINDS = exu.DynamicSolverType
 
 
-def _settings(problem: Problem, count: int, newton: float) -> exu.SimulationSettings:
-    """A constant step; `newton` is the relative tolerance of Newton's iteration."""
-    settings = exu.SimulationSettings()
-    time, solution = settings.timeIntegration, settings.solution
-    time.endTime, time.numberOfSteps = problem.stop, count
-    time.automaticStepSize = time.adaptiveStep = False
-    time.newton.useModifiedNewton = True
-    time.newton.relativeTolerance = newton
-    time.newton.absoluteTolerance = 1e-2 * newton
-    solution.file.write = False
-    sparse = len(problem.bodies) > DENSE
-    solvers = exu.LinearSolverType
-    settings.linearSolver.solverType = solvers.EigenSparse if sparse else solvers.EXUdense
-    return settings
-
-
-def _alpha(
-    radius: float, index2: bool
-) -> Callable[[exu.SimulationSettings], exu.DynamicSolverType]:
-    def prepare(settings: exu.SimulationSettings) -> exu.DynamicSolverType:
-        alpha = settings.timeIntegration.generalizedAlpha
-        alpha.spectralRadius, alpha.useIndex2Constraints = radius, index2
-        return KINDS.GeneralizedAlpha
-
-    return prepare
-
-
-def _trapezoidal(_: exu.SimulationSettings) -> exu.DynamicSolverType:
-    return KINDS.TrapezoidalIndex2
-
-
-Prepare = Callable[[exu.SimulationSettings], exu.DynamicSolverType]
-
-
-def _solve(build: Build, count: int, prepare: Prepare, newton: float) -> None:
-    settings = _settings(build.problem, count, newton)
-    kind = prepare(settings)
-    settings.solution.sensors.writePeriod = build.period or 10.0 * build.problem.stop
+def _solve(build: Build, count: int, method: tuple, newton: float) -> None:
     try:
-        done = build.system.SolveDynamic(settings, solverType=kind, showHints=False)
-    except (RuntimeError, ValueError, exu.SolverError) as error:
-        raise GaveUpError(str(error).strip().partition("\n")[0][:80]) from error
-    if not done:
-        message = "a step failed"
-        raise GaveUpError(message)
+        build.solve(count, method=method, newton=newton)
+    except ArithmeticError as error:
+        raise GaveUpError(str(error)) from error
 
 
 @functools.cache
-def _sharpest(key: str, count: int, prepare: Prepare) -> float:
+def _sharpest(key: str, count: int, method: tuple) -> float:
     """Smaller Newton tolerance of fine steps, unless a step fails with it."""
     if count >= FINE:
         try:
-            _solve(Build(PROBLEMS[key]()), count, prepare, NEWTON[1])
+            _solve(Build(PROBLEMS[key]()), count, method, NEWTON[1])
         except GaveUpError:
             return NEWTON[0]
         return NEWTON[1]
     return NEWTON[0]
 
 
-def _observe(problem: Problem, count: int, prepare: Prepare) -> Observed:
+def _observe(problem: Problem, count: int, method: tuple) -> Observed:
     build = Build(problem, period=problem.stop / min(SAMPLES, count))
-    _solve(build, count, prepare, _sharpest(problem.key, count, prepare))
+    _solve(build, count, method, _sharpest(problem.key, count, method))
     found = build.recorded()
     energy = energies(problem, lambda name, what: found[name, what])
     if problem.key == "car_axis":
@@ -121,23 +72,23 @@ def counts(problem: Problem) -> list[float]:
     return [float(FIRST.get(problem.key, 200) * 4**k) for k in range(8)]
 
 
-def _method(name: str, prepare: Prepare) -> Method:
+def _method(name: str, method: tuple) -> Method:
     def entry(problem: Problem, count: float) -> Entry:
         # A run leaves the system where it ended, but always begins at the initial values.
         build = Build(problem)
-        newton = _sharpest(problem.key, int(count), prepare)
-        return Entry(lambda: _solve(build, int(count), prepare, newton))
+        newton = _sharpest(problem.key, int(count), method)
+        return Entry(lambda: _solve(build, int(count), method, newton))
 
     return Method(
         name=f"Exudyn {name}",
         label="{:g} steps",
         settings=counts,
-        observe=lambda problem, count: _observe(problem, int(count), prepare),
+        observe=lambda problem, count: _observe(problem, int(count), method),
         entry=entry,
     )
 
 
 METHODS = (
-    _method("generalized alpha", _alpha(0.9, index2=False)),
-    _method("trapezoidal, index 2", _trapezoidal),
+    _method("generalized alpha", ALPHA),
+    _method("trapezoidal, index 2", TRAPEZOIDAL),
 )

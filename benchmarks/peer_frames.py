@@ -17,7 +17,8 @@ class Frames:
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
-        self._origins: dict[str, Array] = {GROUND: np.zeros(3)}
+        self.origins: dict[str, Array] = {GROUND: np.zeros(3)}
+        """Where they are drawn [m], of the bodies that hang."""
 
     def hang(self, name: str, joint: Joint, parent: str) -> tuple[Array, Array]:
         """Put a body's frame into the joint by which its parent holds it.
@@ -28,15 +29,15 @@ class Frames:
         anchor = np.array(joint.position, dtype=float)
         if joint.kind == "distance" and parent != GROUND:
             anchor = np.array(self.problem.bodies[parent].position)
-        self._origins[name] = anchor
-        return anchor - self._origins[parent], self.local(name, (0.0, 0.0, 0.0))
+        self.origins[name] = anchor
+        return anchor - self.origins[parent], self.local(name, (0.0, 0.0, 0.0))
 
     def local(self, name: str, place: tuple[float, ...]) -> Array:
         """Place in a body's frame (3,), given from its centre of mass in its own axes [m]."""
         if name == GROUND:
             return np.array(place, dtype=float)
         body = self.problem.bodies[name]
-        return np.array(body.position) + body.attitude @ np.array(place) - self._origins[name]
+        return np.array(body.position) + body.attitude @ np.array(place) - self.origins[name]
 
     def inertia(self, name: str) -> Array:
         """Inertia about the centre of mass in global axes, as xx, yy, zz, xy, xz, yz [kg m^2]."""

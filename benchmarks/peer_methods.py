@@ -11,9 +11,11 @@ import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from importlib import import_module
 from typing import Any
 
-from benchmarks.effort import Effort
+from benchmarks.effort import Effort, repeated
+from benchmarks.problems import PROBLEMS
 from benchmarks.problems_parts import Array, Problem
 from benchmarks.timing import Entry, interleave
 
@@ -94,6 +96,13 @@ def too_large(problem: Problem) -> str:
     return f"not measured: more than {LARGEST} bodies" if len(problem.bodies) > LARGEST else ""
 
 
+def run(request: dict[str, Any]) -> list[Row]:
+    """Rows of the methods of a `module` on a `problem`, with `limits` and `expected` places."""
+    methods = import_module(f"benchmarks.{request['module']}").METHODS
+    problem = PROBLEMS[request["problem"]]()
+    return measured(problem, methods, Limits(**request["limits"]), request["expected"])
+
+
 def measured(
     problem: Problem,
     methods: Sequence[Method],
@@ -133,7 +142,7 @@ def _measured(
             try:
                 row |= asdict(method.observe(problem, setting))
                 entry = method.entry(problem, setting)
-                seconds = _once(entry)
+                seconds = once(entry)
             except GaveUpError as reason:
                 row["remark"] = str(reason)
                 failures += 1
@@ -147,7 +156,8 @@ def _measured(
     return rows
 
 
-def _once(entry: Entry) -> float:
+def once(entry: Entry) -> float:
+    """CPU time of one run [s]."""
     entry.prepare()
     begin = time.process_time()
     entry.run()
@@ -155,10 +165,7 @@ def _once(entry: Entry) -> float:
 
 
 def _time(rows: list[Row], entries: Mapping[str, Entry], limits: Limits) -> None:
-    effort = Effort(
-        name="curves", scale=1.0, repetitions=limits.repetitions, budget=limits.budget, largest=1,
-        steps=1,
-    )  # fmt: skip
+    effort = repeated(limits.repetitions, limits.budget)
     for key, times in interleave(entries, effort).items():
         rows[int(key)] |= {"ms": 1e3 * times.minimum, "noise": times.noise}
 

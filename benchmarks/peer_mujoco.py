@@ -7,14 +7,15 @@ constraints, which are soft: the integrators then see stiff springs.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
 from xml.etree import ElementTree as Xml
 
 import mujoco
 import numpy as np
 
+from benchmarks.peer_frames import Frames
 from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
-from benchmarks.problems_parts import GROUND, Array, Joint, Problem, Vector, rotation
+from benchmarks.problems_parts import GROUND, Array, Joint, O, Problem, Vector
 from benchmarks.timing import Entry
 
 SPECK = "2e-15 2e-15 2e-15"
@@ -25,27 +26,28 @@ SPECK = "2e-15 2e-15 2e-15"
 mujoco.set_mju_user_warning(lambda _: None)
 
 
-@dataclass
+def _text(numbers: Iterable[float]) -> str:
+    return " ".join(repr(float(x)) for x in numbers)
+
+
 class Tree:
     """XML of a problem: joints that lead to a body nobody reached yet, and the loops they leave."""
 
-    problem: Problem
-    reached: dict[str, Xml.Element] = field(default_factory=dict)
-    loops: list[Joint] = field(default_factory=list)
-    _step: float = 0.0
+    def __init__(self, problem: Problem, step: float) -> None:
+        self.problem, self._step, self.frames = problem, step, Frames(problem)
+        self.reached: dict[str, Xml.Element] = {}
+        self.loops: list[Joint] = []
 
-    def model(self, step: float, integrator: str) -> mujoco.MjModel:
+    def model(self, integrator: str) -> mujoco.MjModel:
         """Compiled model."""
-        self._step = step
-        root = Xml.Element("mujoco")
-        gravity = " ".join(map(repr, self.problem.gravity))
-        option = {"timestep": repr(step), "integrator": integrator, "gravity": gravity}
+        root, step = Xml.Element("mujoco"), repr(self._step)
+        gravity = _text(self.problem.gravity)
+        option = {"timestep": step, "integrator": integrator, "gravity": gravity}
         flags = {"contact": "disable", "warmstart": "enable"}
         Xml.SubElement(root, "compiler", {"angle": "radian", "inertiafromgeom": "false"})
         options = Xml.SubElement(root, "option", option | SHARP)
         Xml.SubElement(options, "flag", flags)
-        self.reached = {GROUND: Xml.SubElement(root, "worldbody")}
-        self.loops = []
+        self.reached[GROUND] = Xml.SubElement(root, "worldbody")
         if not any(GROUND in joint.pair for joint in self.problem.joints):
             self._float()
         waiting = list(self.problem.joints)
@@ -55,21 +57,35 @@ class Tree:
             self._add(joint)
         tendons = Xml.SubElement(root, "tendon")
         self._close(root, tendons)
-        self._springs(root, tendons)
+        self._springs(tendons)
         return mujoco.MjModel.from_xml_string(Xml.tostring(root, encoding="unicode"))
 
     def _float(self) -> None:
         """Points without support slide along three axes each: all that holds them is a loop."""
         for name, body in self.problem.bodies.items():
-            place = " ".join(map(repr, body.position))
-            element = Xml.SubElement(self.reached[GROUND], "body", {"name": name, "pos": place})
-            element.set("origin", place)
-            inertial = {"pos": "0 0 0", "mass": repr(body.mass), "diaginertia": SPECK}
-            Xml.SubElement(element, "inertial", inertial)
+            self.frames.origins[name] = np.array(body.position)
+            element = self._body(name, GROUND, body.position)
             for axis in ("1 0 0", "0 1 0", "0 0 1"):
                 Xml.SubElement(element, "joint", {"type": "slide", "axis": axis})
-            self._sites(element, name, body.position)
-            self.reached[name] = element
+
+    def _body(self, name: str, parent: str, place: Iterable[float]) -> Xml.Element:
+        """Element of a body whose frame has its origin at a place of its parent's."""
+        body, frames = self.problem.bodies[name], self.frames
+        found = {"name": name, "pos": _text(place)}
+        element = self.reached[name] = Xml.SubElement(self.reached[parent], "body", found)
+        inertia = {"diaginertia": SPECK}
+        if not body.is_point:
+            inertia = {"fullinertia": _text(frames.inertia(name))}
+        inertial = {"pos": _text(frames.local(name, O)), "mass": repr(body.mass), **inertia}
+        Xml.SubElement(element, "inertial", inertial)
+        for i, (b, at) in enumerate(self.problem.watch):
+            if b == name:
+                self._site(f"watch{i}", name, at)
+        for i, spring in enumerate(self.problem.springs):
+            for j, (b, at) in enumerate(spring.ends):
+                if b == name:
+                    self._site(f"spring{i}{j}", name, at)
+        return element
 
     def _leads_on(self, joint: Joint) -> bool:
         return sum(name in self.reached for name in joint.pair) == 1
@@ -79,49 +95,16 @@ class Tree:
             self.loops.append(joint)
             return
         a, b = joint.pair if joint.pair[0] in self.reached else joint.pair[::-1]
-        bodies = self.problem.bodies
-        body = bodies[b]
-        anchor = joint.position
-        if joint.kind == "distance" and a != GROUND:
-            anchor = bodies[a].position
         # All frames are drawn parallel to the global ones, with their origins in the joints.
-        origin = self._origin(a)
-        place = " ".join(repr(p - o) for p, o in zip(anchor, origin, strict=True))
-        element = Xml.SubElement(self.reached[a], "body", {"name": b, "pos": place})
-        element.set("origin", " ".join(map(repr, anchor)))
-        tensor = body.attitude @ np.diag(body.inertia) @ body.attitude.T
-        full = [tensor[0, 0], tensor[1, 1], tensor[2, 2], tensor[0, 1], tensor[0, 2], tensor[1, 2]]
-        com = " ".join(repr(float(p - q)) for p, q in zip(body.position, anchor, strict=True))
-        inertial = {"pos": com, "mass": repr(body.mass)}
-        if body.is_point:
-            inertial["diaginertia"] = SPECK
-        else:
-            inertial["fullinertia"] = " ".join(repr(float(x)) for x in full)
-        Xml.SubElement(element, "inertial", inertial)
+        place, _ = self.frames.hang(b, joint, a)
+        element = self._body(b, a, place)
         for kind, axis in _freedoms(joint, self.problem.planar):
             Xml.SubElement(element, "joint", {"type": kind, "axis": axis})
-        self._sites(element, b, anchor)
-        self.reached[b] = element
 
-    def _origin(self, name: str) -> tuple[float, ...]:
-        text = self.reached[name].get("origin", "0 0 0")
-        return tuple(map(float, text.split()))
-
-    def _sites(self, element: Xml.Element, name: str, anchor: tuple[float, ...]) -> None:
-        """Watched places and ends of springs."""
-        wanted = {f"watch{i}": at for i, (b, at) in enumerate(self.problem.watch) if b == name}
-        for i, spring in enumerate(self.problem.springs):
-            ends = enumerate(spring.ends)
-            wanted |= {f"spring{i}{j}": at for j, (b, at) in ends if b == name}
-        for site, at in wanted.items():
-            self._site(element, site, name, at, anchor)
-
-    def _site(self, element: Xml.Element, site: str, name: str, at: Vector, origin: Vector) -> None:
-        """Mark a place of a body, whose frame has its origin there."""
-        body = self.problem.bodies[name]
-        place = np.array(body.position) + body.attitude @ np.array(at) - np.array(origin)
-        text = " ".join(repr(float(x)) for x in place)
-        Xml.SubElement(element, "site", {"name": site, "pos": text})
+    def _site(self, site: str, name: str, at: Vector) -> None:
+        """Mark a place of a body."""
+        place = {"name": site, "pos": _text(self.frames.local(name, at))}
+        Xml.SubElement(self.reached[name], "site", place)
 
     def _close(self, root: Xml.Element, tendons: Xml.Element) -> None:
         equality = Xml.SubElement(root, "equality")
@@ -130,23 +113,20 @@ class Tree:
             if joint.kind == "distance":
                 tendon = Xml.SubElement(tendons, "spatial", {"name": f"rod{i}"})
                 for j, (name, place) in enumerate(zip(joint.pair, joint.ends, strict=True)):
-                    self._site(self.reached[name], f"rod{i}{j}", name, place, self._origin(name))
+                    self._site(f"rod{i}{j}", name, place)
                     Xml.SubElement(tendon, "site", {"site": f"rod{i}{j}"})
                 Xml.SubElement(equality, "tendon", {"tendon1": f"rod{i}"} | soft)
                 continue
             a, b = (name or "world" for name in joint.pair)
-            first = self._origin(joint.pair[0])
-            place = np.array(joint.position) - np.array(first)
-            text = " ".join(repr(float(x)) for x in place)
+            points = [np.array(joint.position) - self.frames.origins[joint.pair[0]]]
             # A hinge whose axis the others do not hold yet also keeps a second point in place.
-            points = [text]
             if not self.problem.planar and joint.kind == "revolute":
-                points.append(" ".join(repr(float(x)) for x in place + np.array(joint.axis)))
+                points.append(points[0] + np.array(joint.axis))
             for point in points:
-                pair = {"body1": a, "body2": b, "anchor": point}
+                pair = {"body1": a, "body2": b, "anchor": _text(point)}
                 Xml.SubElement(equality, "connect", pair | soft)
 
-    def _springs(self, root: Xml.Element, tendons: Xml.Element) -> None:
+    def _springs(self, tendons: Xml.Element) -> None:
         for i, spring in enumerate(self.problem.springs):
             law = {
                 "stiffness": repr(spring.stiffness),
@@ -155,13 +135,9 @@ class Tree:
             }
             tendon = Xml.SubElement(tendons, "spatial", law)
             for j, (name, place) in enumerate(spring.ends):
-                site = f"spring{i}{j}"
                 if name == GROUND:
-                    text = " ".join(repr(float(x)) for x in place)
-                    Xml.SubElement(self.reached[GROUND], "site", {"name": site, "pos": text})
-                Xml.SubElement(tendon, "site", {"site": site})
-        for element in root.iter("body"):
-            element.attrib.pop("origin", None)
+                    self._site(f"spring{i}{j}", name, place)
+                Xml.SubElement(tendon, "site", {"site": f"spring{i}{j}"})
 
 
 SHARP = {"tolerance": "1e-14", "iterations": "100", "solver": "Newton"}
@@ -171,12 +147,12 @@ time constant of two steps and an impedance of 0.9999, its largest."""
 
 def _freedoms(joint: Joint, planar: bool) -> list[tuple[str, str]]:
     if planar or joint.kind == "revolute":
-        return [("hinge", " ".join(map(repr, joint.axis)))]
+        return [("hinge", _text(joint.axis))]
     if joint.kind == "distance":
         return [("hinge", "0 0 1"), ("hinge", "0 1 0")]
     if joint.kind == "spherical":
         return [("ball", "0 0 1")]
-    return [("slide", " ".join(map(repr, joint.axis)))]
+    return [("slide", _text(joint.axis))]
 
 
 class Build:
@@ -184,31 +160,23 @@ class Build:
 
     def __init__(self, problem: Problem, count: int, integrator: str) -> None:
         self.problem, self.count = problem, count
-        self.model = Tree(problem).model(problem.stop / count, integrator)
+        tree = Tree(problem, problem.stop / count)
+        self.model = tree.model(integrator)
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
-        self._speeds = self._start()
+        self.speeds = tree.frames.rates(self._jacobian)
         self.reset()
 
-    def _start(self) -> Array:
-        """Rates of the joints for which all bodies have the velocities of the problem."""
-        rows, right = [], []
-        along, about = np.zeros((2, 3, self.model.nv))
-        for name, body in self.problem.bodies.items():
-            index = self.model.body(name).id
-            mujoco.mj_jacBodyCom(self.model, self.data, along, about, index)
-            rows.append(along.copy())
-            right.append(np.array(body.velocity))
-            if not body.is_point:
-                rows.append(about.copy())
-                right.append(rotation(body.turn) @ np.array(body.omega))
-        speeds, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right), rcond=None)
-        return speeds
+    def _jacobian(self, name: str) -> tuple[Array, Array]:
+        moving, turning = np.zeros((2, 3, self.model.nv))
+        index = self.model.body(name).id
+        mujoco.mj_jacBodyCom(self.model, self.data, moving, turning, index)
+        return turning, moving
 
     def reset(self) -> None:
         """Return to the start."""
         mujoco.mj_resetData(self.model, self.data)
-        self.data.qvel[:] = self._speeds
+        self.data.qvel[:] = self.speeds
         if self.problem.torque:
             name, value = self.problem.torque
             first = self.model.body(name).dofadr[0]

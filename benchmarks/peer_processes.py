@@ -56,7 +56,7 @@ def measured(
             "expected": expected,
             "limits": asdict(replace(limits, run=LEEWAY * limits.run)),
         }
-        program = ["-m", "benchmarks.peer_run"]
+        program = ["-m", "benchmarks.peer_run", "benchmarks.peer_methods"]
         try:
             rows += answer(program, request, patience=PATIENCE, environment=ONE)
         except InterpreterError as error:

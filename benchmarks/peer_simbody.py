@@ -90,7 +90,7 @@ class Build(Frames):
         if not self.problem.planar and joint.kind == "revolute":
             points.append(points[0] + np.array(joint.axis))
         for point in points:
-            places = (_vector(point - self._origins[name]) for name in (a, b))
+            places = (_vector(point - self.origins[name]) for name in (a, b))
             at_a, at_b = places
             shared = osim.PointConstraint(self._bodies[a], at_a, self._bodies[b], at_b)
             self.model.addConstraint(shared)

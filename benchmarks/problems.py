@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 
 from benchmarks.problems_parts import (
     GRAVITY,
@@ -82,6 +83,33 @@ def _bar(a: Vector, b: Vector, mass: float, velocity: Vector = O, spin: float = 
         turn=(0.0, 0.0, math.atan2(along[1], along[0])),
         velocity=velocity,
         omega=(0.0, 0.0, spin),
+    )
+
+
+def planar_chain(n: int) -> Problem:
+    """N hinged bars of 0.1 kg and 0.1 m, let go from the horizontal (`generate.rigid_chain`)."""
+    names = [GROUND, *(f"link{i + 1}" for i in range(n))]
+    pins = [(*pair, (0.1 * i, 0.0, 0.0)) for i, pair in enumerate(pairwise(names))]
+    return Problem(
+        key=f"planar_chain_{n}",
+        title=f"Chain of {n} bars",
+        stop=1.0,
+        bodies={b: _bar(at, added(at, (0.1, 0.0, 0.0)), 0.1) for _, b, at in pins},
+        joints=tuple(Joint(kind="revolute", pair=(a, b), position=at) for a, b, at in pins),
+        watch=((names[n], (0.05, 0.0, 0.0)),),
+    )
+
+
+def elastic_pendulum(stiffness: float) -> Problem:
+    """Two masses of 1 kg from the horizontal: on a spring of 1 m, and on a rod of 1 m behind it."""
+    return Problem(
+        key="elastic_pendulum",
+        title="Elastic pendulum",
+        stop=10.0,
+        bodies={"A": Body(mass=1.0, position=X), "B": Body(mass=1.0, position=added(X, X))},
+        joints=(Joint(kind="distance", pair=("A", "B")),),
+        watch=(("B", O),),
+        springs=(Spring(ends=((GROUND, O), ("A", O)), stiffness=stiffness, length=1.0),),
     )
 
 
@@ -250,3 +278,10 @@ PROBLEMS: dict[str, Callable[[], Problem]] = {
     "net_30": lambda: net(30),
 }
 """By key, in the order of the page."""
+MAPS: dict[str, Callable[..., Problem]] = {
+    "chain": lambda n: point_chain(int(n)),
+    "four-bar": lambda: four_bar(2),
+    "bricard": bricard,
+    "stiff spring": elastic_pendulum,
+}
+"""Those of the stability maps, by the names of their cases."""

@@ -62,7 +62,8 @@ class Joint:
     """Where a distance joint ends in the axes of its bodies, from their centres of mass [m]."""
     axis: Vector = Z
     redundant: bool = False
-    """Leaves the rotation about x and that about z to others, whose rows say the same."""
+    """Leaves to others, whose rows say the same, the rotation about x and that about z; in space a
+    spherical joint leaves the place along z."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

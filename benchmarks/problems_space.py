@@ -22,7 +22,8 @@ from benchmarks.problems_parts import (
 )
 
 
-def _box(mass: float, size: Vector) -> Vector:
+def box(mass: float, size: Vector) -> Vector:
+    """Moments of inertia of a box about its centre [kg m2]."""
     x, y, z = (side * side for side in size)
     return (mass * (y + z) / 12, mass * (z + x) / 12, mass * (x + y) / 12)
 
@@ -36,7 +37,7 @@ def bricard() -> Problem:
         names[i + 1]: Body(
             mass=1.0,
             position=tuple(0.5 * q for q in added(corners[i], corners[i + 1])),
-            inertia=_box(1.0, sizes[along]),
+            inertia=box(1.0, sizes[along]),
         )
         for i, along in enumerate("xyzxy")
     }
@@ -88,7 +89,7 @@ def heavy_top() -> Problem:
 def rigid_chain(n: int) -> Problem:
     """N hinged boxes of 0.1 kg and 0.1 m, let go from the horizontal (`generate.rigid_chain`)."""
     names = [GROUND, *(f"link{i + 1}" for i in range(n))]
-    inertia = _box(0.1, (0.1, 0.02, 0.02))
+    inertia = box(0.1, (0.1, 0.02, 0.02))
     bodies = {
         name: Body(mass=0.1, position=(0.1 * i + 0.05, 0.0, 0.0), inertia=inertia)
         for i, name in enumerate(names[1:])
@@ -151,8 +152,8 @@ def governor() -> Problem:
     middle = (0.0, 0.0, 0.5)
     spun = {"position": middle, "omega": (0.0, 0.0, GOVERNOR["speed"])}
     bodies = {
-        "shaft": Body(mass=0.3, inertia=_box(0.3, (0.01, 0.01, 1)), **spun),
-        "slider": Body(mass=3.0, inertia=_box(3.0, (0.1,) * 3), **spun),
+        "shaft": Body(mass=0.3, inertia=box(0.3, (0.01, 0.01, 1)), **spun),
+        "slider": Body(mass=3.0, inertia=box(3.0, (0.1,) * 3), **spun),
         "right": _loaded_rod(1),
         "left": _loaded_rod(-1),
     }
@@ -192,7 +193,7 @@ def _loaded_rod(side: int) -> Body:
     c, s = math.cos(GOVERNOR["alpha"]), math.sin(GOVERNOR["alpha"])
     speed = GOVERNOR["speed"]
     radius, height = 0.05 + (0.5 + OFFSET) * c, 1.0 - (0.5 + OFFSET) * s
-    ix, iy, iz = _box(0.3, (1.0, 0.01, 0.01))
+    ix, iy, iz = box(0.3, (1.0, 0.01, 0.01))
     across = 0.3 * OFFSET**2 + 5.0 * (0.5 - OFFSET) ** 2
     return Body(
         mass=5.3,

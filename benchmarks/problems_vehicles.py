@@ -79,11 +79,11 @@ def _vector(values: np.ndarray) -> Vector:
     return tuple(float(x) for x in values)
 
 
-def double_wishbone() -> Problem:
-    """`scenes/double_wishbone.toml` on a flat road, landing at 1 m/s, axle in the upright."""
+def double_wishbone(speed: float = 1.0) -> Problem:
+    """`scenes/double_wishbone.toml` on a flat road, landing at `speed` [m/s]; axle in upright."""
     # Upright of 20 kg and axle of 5 kg, 0.05 m beside its centre of mass.
     share, shift = 20 * 5 / 25 * 0.05**2, 0.05 * 5 / 25
-    landing = {"velocity": (0.0, 0.0, -1.0)}
+    landing = {"velocity": (0.0, 0.0, -speed)}
     bodies = {
         "car": Body(mass=400, position=(0, 0, 0.5), inertia=(40, 40, 40), **landing),
         "lower": Body(mass=4, position=(0, -0.5, 0.21), inertia=(0.04, 0.03, 0.06), **landing),

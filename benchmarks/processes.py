@@ -7,6 +7,7 @@ import statistics
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -43,12 +44,12 @@ class Durations:
 
 def build_times(scene: Path, target: Path, effort: Effort) -> dict[str, Durations]:
     """Building an FMU by the command line in a new process, and again in this one."""
-    command = ["-m", "build_fmu", "build", str(scene), "-o", str(target)]
+    command = [sys.executable, "-m", "build_fmu", "build", str(scene), "-o", str(target)]
     new, same = [], []
     build(scene, target)
     for _ in range(min(effort.repetitions, LIMIT)):
         before, begin = children_cpu(), time.perf_counter()
-        _run(command)
+        printed(command)
         wall = time.perf_counter() - begin
         after = children_cpu()
         new.append((wall if before is None or after is None else after - before, wall))
@@ -61,19 +62,23 @@ def build_times(scene: Path, target: Path, effort: Effort) -> dict[str, Duration
 def first_step_times(fmu: Path, effort: Effort) -> dict[str, Durations]:
     """Parts of the way from a new process to a first step in fmpy."""
     runs = [
-        json.loads(_run(["-m", "benchmarks.first_step", str(fmu)]))
+        json.loads(printed([sys.executable, "-m", "benchmarks.first_step", str(fmu)]))
         for _ in range(min(effort.repetitions, LIMIT))
     ]
     return {part: Durations(tuple(tuple(run[part]) for run in runs)) for part in PARTS}
 
 
-def _run(arguments: list[str]) -> str:
-    """Output of Python with arguments, from the root of the repository."""
-    run = subprocess.run(
-        [sys.executable, *arguments], capture_output=True, text=True, check=False, cwd=ROOT
-    )
+def printed(command: Sequence[str], folder: Path = ROOT) -> str:
+    """What a program prints that is started in a folder, by default the repository.
+
+    Raises
+    ------
+    RuntimeError
+        When it fails; the text is what it says of that.
+    """
+    run = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
     if run.returncode:
-        raise RuntimeError(run.stderr)
+        raise RuntimeError(run.stderr.strip() or f"ended with code {run.returncode}")
     return run.stdout
 
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, fields, replace
 
 Value = float | str | None
+Column = str | tuple[str, str]
+"""Its header, or header and format of numbers, which is .3g unless told."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,6 +24,12 @@ class Goal:
     noise: float | None = None
     """Median over minimum of the repetitions."""
 
+    @classmethod
+    def of_row(cls, what: str, goal: float, row: Mapping[str, Value], column: str) -> Goal:
+        """Of a time [µs] of a row, which has none where a step failed."""
+        value, noise = (float(row[x]) if row.get(x) else None for x in (column, "noise"))
+        return cls(what=what, unit="µs", goal=goal, value=value, noise=noise)
+
     @property
     def verdict(self) -> str:
         """Whether the goal was met, and by which factor."""
@@ -32,12 +41,11 @@ class Goal:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Table:
-    """Rows of values by column; `columns` maps keys to headers, `formats` keys to formats."""
+    """Rows of values by key of their column."""
 
     title: str
-    columns: Mapping[str, str]
+    columns: Mapping[str, Column]
     rows: Sequence[Mapping[str, Value]]
-    formats: Mapping[str, str] = field(default_factory=dict)
     picture: str | None = None
     """A file beside the page that shows these rows; `draw` of the section's module writes it."""
     on_page: bool = True
@@ -57,6 +65,15 @@ class Section:
     picture: str | None = None
 
 
+def exponent(rows: Sequence[Mapping[str, Value]], ends: Sequence[int], column: str) -> float | None:
+    """P of a column ~ n^p between rows of two sizes; None where it was not measured at both."""
+    found = {row["n"]: float(row[column]) for row in rows if row["n"] in ends and row.get(column)}
+    if len(found) != 2:
+        return None
+    (small, first), (large, last) = found.items()
+    return math.log(last / first) / math.log(float(large) / float(small))
+
+
 def as_json(machine: Mapping[str, Value], effort: str, sections: Sequence[Section]) -> str:
     """All that was measured, with all digits."""
     content = {"machine": dict(machine), "effort": effort, "sections": {}}
@@ -65,7 +82,7 @@ def as_json(machine: Mapping[str, Value], effort: str, sections: Sequence[Sectio
         for goal, written in zip(section.goals, record["goals"], strict=True):
             written["verdict"] = goal.verdict.replace("*", "")
         for written in record["tables"]:
-            del written["formats"]
+            written["columns"] = {key: _header(x)[0] for key, x in written["columns"].items()}
         content["sections"][record.pop("name")] = record
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
@@ -158,12 +175,19 @@ def _section(section: Section) -> list[str]:
 
 
 def _rows(table: Table) -> str:
-    used = [key for key in table.columns if any(row.get(key) != "" for row in table.rows)]
+    used = {
+        key: _header(column)
+        for key, column in table.columns.items()
+        if any(row.get(key) != "" for row in table.rows)
+    }
     rows = [
-        [formatted(row.get(key), table.formats.get(key, ".3g")) for key in used]
-        for row in table.rows
+        [formatted(row.get(key), form) for key, (_, form) in used.items()] for row in table.rows
     ]
-    return markdown_table([table.columns[key] for key in used], rows)
+    return markdown_table([header for header, _ in used.values()], rows)
+
+
+def _header(column: Column) -> tuple[str, str]:
+    return (column, ".3g") if isinstance(column, str) else column
 
 
 def formatted(value: Value, form: str) -> str:

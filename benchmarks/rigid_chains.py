@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -10,9 +9,9 @@ from typing import Any
 
 import solver
 from benchmarks.effort import Effort
-from benchmarks.exudyn_peer import METHOD, Job, measured
+from benchmarks.exudyn_peer import METHOD, Job, beside, measured
 from benchmarks.mechanisms import start_scene
-from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.report import Goal, Section, Table, Value, exponent
 from benchmarks.stepping import Repeated
 from benchmarks.timing import Times, interleave
 from scenes.generate import hanging_chain, n_four_bar, rigid_chain
@@ -32,7 +31,7 @@ class Family:
     name: str
     text: Callable[[int], str]
     model: str | None
-    """Exudyn's."""
+    """Function of `benchmarks.problems`, for Exudyn."""
     sizes: tuple[int, ...]
     bodies: Callable[[int], int]
     first: int
@@ -44,44 +43,37 @@ FAMILIES = (
     Family(
         "planar rigid chain", partial(rigid_chain, dimension=2), "planar_chain", LINKS, int, 100
     ),
-    Family("spatial rigid chain", rigid_chain, "spatial_chain", LINKS, int, 100),
+    Family("spatial rigid chain", rigid_chain, "rigid_chain", LINKS, int, 100),
     Family("hanging chain of bars", hanging_chain, None, LINKS, int, 100),
-    Family("N-four-bar (A02)", n_four_bar, "n_four_bar", (2, 10, 40, 200), lambda n: 2 * n + 1, 10),
+    Family("N-four-bar (A02)", n_four_bar, "four_bar", (2, 10, 40, 200), lambda n: 2 * n + 1, 10),
 )
 
 COLUMNS = {
     "family": "mechanism",
-    "n": "N",
-    "bodies": "bodies",
-    "solve": "µs per inner step",
-    "body": "µs per inner step and body",
-    "exudyn": "Exudyn, µs per step",
-    "ratio": "Exudyn / ours",
-    "newton": "Newton iterations per inner step",
-    "their_newton": "Exudyn's",
-    "iteration": "µs per iteration and body",
-    "energy": "energy.error, J",
-    "constraint": "constraint.position, m",
-    "noise": "noise",
+    "n": ("N", ".0f"),
+    "bodies": ("bodies", ".0f"),
+    "solve": ("µs per inner step", ".4g"),
+    "body": ("µs per inner step and body", ".3f"),
+    "exudyn": ("Exudyn, µs per step", ".4g"),
+    "ratio": ("Exudyn / ours", ".1f"),
+    "newton": ("Newton iterations per inner step", ".2f"),
+    "their_newton": ("Exudyn's", ".2f"),
+    "iteration": ("µs per iteration and body", ".3f"),
+    "energy": ("energy.error, J", ".1e"),
+    "constraint": ("constraint.position, m", ".1e"),
+    "noise": ("noise", ".2f"),
     "remark": "",
 }
-FORMATS = {
-    "n": ".0f", "bodies": ".0f", "solve": ".4g", "body": ".3f", "exudyn": ".4g", "ratio": ".1f",
-    "newton": ".2f", "their_newton": ".2f", "iteration": ".3f", "energy": ".1e",
-    "constraint": ".1e", "noise": ".2f",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """One size of a family, and what was found at the end of its first run."""
+    """One size of a family."""
 
     family: Family
     n: int
     h: float
     repeated: Repeated
-    energy: float
-    constraint: float
 
     @property
     def key(self) -> str:
@@ -94,7 +86,7 @@ def measure(effort: Effort) -> Section:
     able = [case for case in cases if not case.repeated.failure]
     times = interleave({case.key: case.repeated.entry for case in able}, effort)
     jobs = [
-        Job(case.key, case.family.model, case.n, case.h / 2, case.repeated.solves)
+        Job(case.key, case.family.model, (case.n,), case.h / 2, case.repeated.solves)
         for case in able
         if case.family.model
     ]
@@ -111,7 +103,7 @@ def measure(effort: Effort) -> Section:
             f"steps of 2.5 ms. All as pairs, after {WARM_UP} of them, settings as by default. "
             f"{METHOD}"
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         goals=[*_per_body(rows), *_exponents(rows)],
         remarks=[*remarks, *_their_exponents(rows), *failures],
     )
@@ -122,53 +114,30 @@ def _case(family: Family, n: int, effort: Effort) -> Case:
     h = float(integrator["solver.step_size"])
     count = effort.count(max(5, STEPS_TIMES_BODIES // family.bodies(n)), least=2)
     repeated = Repeated(integrator, h, count, WARM_UP)
-    found = (float(integrator[name]) for name in ("energy.error", "constraint.position"))
-    return Case(family, n, h, repeated, *found)
+    return Case(family, n, h, repeated)
 
 
 def _row(case: Case, times: Times | None, theirs: dict[str, Any]) -> dict[str, Value]:
-    bodies = case.family.bodies(case.n)
-    row: dict[str, Value] = {"family": case.family.name, "n": case.n, "bodies": bodies}
-    if times is None:
-        return row | {"remark": "a step failed"}
-    solve = 1e6 * times.minimum / case.repeated.solves
-    exudyn = 1e6 * theirs["step"] if theirs.get("step") else None
-    return row | {
-        "solve": solve,
-        "body": solve / bodies,
-        "exudyn": exudyn,
-        "ratio": exudyn / solve if exudyn else None,
-        "newton": case.repeated.newton_per_solve,
-        "iteration": solve / case.repeated.newton_per_solve / bodies,
-        "their_newton": theirs.get("newton"),
-        "energy": case.energy,
-        "constraint": case.constraint,
-        "noise": times.noise,
-        "remark": "some steps halved" if case.repeated.halved else "",
-    }
+    bodies, row = case.family.bodies(case.n), beside(case.repeated.row(times), theirs)
+    if times is not None:
+        row["body"] = float(row["solve"]) / bodies
+        row["iteration"] = row["body"] / float(row["newton"])
+    return {"family": case.family.name, "n": case.n, "bodies": bodies, **row}
 
 
 def _per_body(rows: list[dict[str, Value]]) -> list[Goal]:
-    return [
-        Goal(
-            what=f"inner step and body, {row['family']} N = {row['n']}",
-            unit="µs",
-            goal=PER_BODY,
-            value=float(row["body"]) if row.get("body") else None,
-            noise=float(row["noise"]) if row.get("noise") else None,
-        )
-        for row in rows
-        if row["family"] == "spatial rigid chain"
-    ]
+    text = "inner step and body, {family} N = {n}"
+    chains = [row for row in rows if row["family"] == "spatial rigid chain"]
+    return [Goal.of_row(text.format(**row), PER_BODY, row, "body") for row in chains]
 
 
 def _exponents(rows: list[dict[str, Value]]) -> list[Goal]:
     goals = []
     for family in FAMILIES:
-        ends, exponent = _exponent(rows, family, "solve")
+        ends, power = _exponent(rows, family, "solve")
         if len(ends) == 2:
             what = f"p in cost of a step ~ N^p, N = {ends[0]} to {ends[1]}, {family.name}"
-            goals.append(Goal(what=what, unit="1", goal=LINEAR, value=exponent))
+            goals.append(Goal(what=what, unit="1", goal=LINEAR, value=power))
     return goals
 
 
@@ -181,10 +150,7 @@ def _exponent(
     rows: list[dict[str, Value]], family: Family, column: str
 ) -> tuple[list[int], float | None]:
     """Sizes between which the exponent is taken, and the exponent, None if not measured."""
-    mine = {int(row["n"]): row for row in rows if row["family"] == family.name}
-    sizes = [n for n in mine if n >= family.first]
+    mine = [row for row in rows if row["family"] == family.name]
+    sizes = [int(row["n"]) for row in mine if int(row["n"]) >= family.first]
     ends = [sizes[0], sizes[-1]] if len(sizes) > 1 else []
-    times = [value for n in ends if (value := mine[n].get(column))]
-    if len(times) != 2:
-        return ends, None
-    return ends, math.log(float(times[1]) / float(times[0])) / math.log(ends[1] / ends[0])
+    return ends, exponent(mine, ends, column)

@@ -8,7 +8,7 @@ from typing import Any
 
 import solver
 from benchmarks.effort import Effort
-from benchmarks.exudyn_peer import METHOD, Job, measured
+from benchmarks.exudyn_peer import METHOD, Job, beside, measured
 from benchmarks.mechanisms import start_scene
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.stepping import Repeated
@@ -19,36 +19,31 @@ LONGEST = 500
 """Internal steps of a repetition, or those of the scene's experiment."""
 GOALS = {"andrews": 12.0, "bricard": 40.0}
 """Of an inner step [µs]."""
-PEERS = {
-    "andrews": "andrews",
-    "bricard": "bricard",
-    "double_wishbone": "flat_double_wishbone",
-    "flyball_governor": "flyball_governor",
-    "heavy_top": "heavy_top",
+PEERS: dict[str, tuple[str, tuple[float, ...]]] = {
+    "andrews": ("andrews", ()),
+    "bricard": ("bricard", ()),
+    "double_wishbone": ("double_wishbone", (0.0,)),
+    "flyball_governor": ("governor", ()),
+    "heavy_top": ("heavy_top", ()),
 }
-"""Models of Exudyn that call no Python while they move."""
+"""Problems that Exudyn moves without calls of Python, and their arguments."""
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "bodies": "bodies and points",
-    "h": "step, ms",
-    "solve": "µs per inner step",
-    "exudyn": "Exudyn, µs per step",
-    "ratio": "Exudyn / ours",
-    "communication": "µs per communication step",
-    "inner": "inner steps in it",
-    "newton": "Newton iterations per inner step",
-    "their_newton": "Exudyn's",
-    "energy": "energy.error, J",
-    "constraint": "constraint.position, m",
-    "noise": "noise",
+    "bodies": ("bodies and points", ".0f"),
+    "h": ("step, ms", ".4g"),
+    "solve": ("µs per inner step", ".2f"),
+    "exudyn": ("Exudyn, µs per step", ".1f"),
+    "ratio": ("Exudyn / ours", ".1f"),
+    "communication": ("µs per communication step", ".1f"),
+    "inner": ("inner steps in it", ".0f"),
+    "newton": ("Newton iterations per inner step", ".2f"),
+    "their_newton": ("Exudyn's", ".2f"),
+    "energy": ("energy.error, J", ".1e"),
+    "constraint": ("constraint.position, m", ".1e"),
+    "noise": ("noise", ".2f"),
     "remark": "",
 }
-FORMATS = {
-    "bodies": ".0f", "h": ".4g", "solve": ".2f", "exudyn": ".1f", "ratio": ".1f",
-    "communication": ".1f", "inner": ".0f", "newton": ".2f", "their_newton": ".2f",
-    "energy": ".1e", "constraint": ".1e", "noise": ".2f",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +59,6 @@ class Case:
     """Inner steps of a communication step."""
     repeated: Repeated
     entries: dict[str, Entry]
-    energy: float
-    constraint: float
 
     @property
     def communications(self) -> int:
@@ -83,7 +76,7 @@ def measure(effort: Effort) -> Section:
     }
     times = interleave(entries, effort)
     jobs = [
-        Job(name, model, None, cases[name].period / cases[name].inner, cases[name].repeated.solves)
+        Job(name, *model, cases[name].period / cases[name].inner, cases[name].repeated.solves)
         for name, model in PEERS.items()
         if not cases[name].repeated.failure
     ]
@@ -99,8 +92,12 @@ def measure(effort: Effort) -> Section:
             "and constraint at the end of a repetition. The communication step is that of the "
             f"scene's experiment, without reading outputs. {METHOD}"
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
-        goals=[_goal(row, GOALS[key]) for row in rows if (key := str(row["mechanism"])) in GOALS],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
+        goals=[
+            Goal.of_row(f"inner step, {key}", GOALS[key], row, "solve")
+            for row in rows
+            if (key := str(row["mechanism"])) in GOALS
+        ],
         remarks=[*remarks, *failures],
     )
 
@@ -114,9 +111,6 @@ def _case(path: Path, effort: Effort) -> Case:
     longest = min(LONGEST, round((experiment.stop_time - experiment.start_time) / h))
     communications = max(1, effort.count(longest) // steps)
     repeated = Repeated(integrator, period / steps, communications * steps, warm_up=0)
-    energy, constraint = (
-        float(integrator[name]) for name in ("energy.error", "constraint.position")
-    )
 
     def communicate() -> None:
         for _ in range(communications):
@@ -125,39 +119,14 @@ def _case(path: Path, effort: Effort) -> Case:
     entries = {"steps": repeated.entry, "communication": Entry(communicate, repeated.entry.prepare)}
     bodies = len(scene.bodies) + sum(not point.fixed for point in scene.points.values())
     inner = 2 * steps
-    return Case(bodies, period / steps, period, inner, repeated, entries, energy, constraint)
+    return Case(bodies, period / steps, period, inner, repeated, entries)
 
 
 def _row(
     name: str, case: Case, times: dict[str, Times], theirs: dict[str, Any]
 ) -> dict[str, Value]:
-    row: dict[str, Value] = {"mechanism": name, "bodies": case.bodies, "h": 1e3 * case.h}
-    if case.repeated.failure:
-        return row | {"remark": "a step failed"}
-    steps, communication = times[f"{name} steps"], times[f"{name} communication"]
-    solve = 1e6 * steps.minimum / case.repeated.solves
-    exudyn = 1e6 * theirs["step"] if theirs.get("step") else None
-    return row | {
-        "solve": solve,
-        "exudyn": exudyn,
-        "ratio": exudyn / solve if exudyn else None,
-        "communication": 1e6 * communication.minimum / case.communications,
-        "inner": case.inner,
-        "newton": case.repeated.newton_per_solve,
-        "their_newton": theirs.get("newton"),
-        "energy": case.energy,
-        "constraint": case.constraint,
-        "noise": steps.noise,
-        "remark": "some steps halved" if case.repeated.halved else "",
-    }
-
-
-def _goal(row: dict[str, Value], goal: float) -> Goal:
-    solve, noise = row.get("solve"), row.get("noise")
-    return Goal(
-        what=f"inner step, {row['mechanism']}",
-        unit="µs",
-        goal=goal,
-        value=solve if isinstance(solve, float) else None,
-        noise=noise if isinstance(noise, float) else None,
-    )
+    row = beside(case.repeated.row(times.get(f"{name} steps")), theirs)
+    if communication := times.get(f"{name} communication"):
+        row["communication"] = 1e6 * communication.minimum / case.communications
+        row["inner"] = case.inner
+    return {"mechanism": name, "bodies": case.bodies, "h": 1e3 * case.h, **row}

@@ -29,18 +29,14 @@ Rows = list[dict[str, Value]]
 MAP = {
     "solver": "solver",
     "setting": "method or formulation",
-    "penalty": "penalty",
-    "stiffness": "stiffness, N/m",
+    "penalty": ("penalty", ".0e"),
+    "stiffness": ("stiffness, N/m", ".0e"),
     "h": "largest step, s",
-    "newton": "Newton iterations",
-    "energy": "largest |ΔE|/E",
-    "constraint": "largest |Φ|",
+    "newton": ("Newton iterations", ".1f"),
+    "energy": ("largest |ΔE|/E", ".1e"),
+    "constraint": ("largest |Φ|", ".1e"),
     "above": "at the next larger step",
 }
-FORMATS = {
-    "penalty": ".0e", "stiffness": ".0e", "h": ".3g", "newton": ".1f", "energy": ".1e",
-    "constraint": ".1e",
-}  # fmt: skip
 
 
 def measure(effort: Effort) -> Section:
@@ -54,8 +50,7 @@ def measure(effort: Effort) -> Section:
         rows.setdefault(case.name, []).extend(_map(ready, coarse))
         rows[case.name].extend(_peers(peers, ready, coarse, remarks))
     drawn = [
-        Table(title=name.capitalize(), columns=MAP, rows=found, formats=FORMATS)
-        for name, found in rows.items()
+        Table(title=name.capitalize(), columns=MAP, rows=found) for name, found in rows.items()
     ]
     return Section(
         name="stability",
@@ -122,8 +117,7 @@ def _chains(
             if stop == 1.0 and len(found) > 1:
                 goals.append(_goal(n, bound, found))
     title = "Point chain: largest step, s, that survives with the energy within a bound"
-    formats = dict.fromkeys(columns, ".3g")
-    return Table(title=title, columns=columns, rows=list(rows.values()), formats=formats), goals
+    return Table(title=title, columns=columns, rows=list(rows.values())), goals
 
 
 def _all(

@@ -1,14 +1,7 @@
-"""`python -m benchmarks.stability_peer`: steps that Exudyn or MuJoCo survive.
-
-Input: JSON of `peer`, `mechanism`, `size`, the `grid` of steps [s] and the `case`: `stop` [s],
-`reference` [J], `length` [m]. The last line of what it prints is JSON: for each method the steps
-that were tried, from the smallest, with their outcomes. Needs the peer and NumPy alone.
-"""
+"""Steps that Exudyn or MuJoCo survive, as a request asks (`benchmarks.peer_run`)."""
 
 from __future__ import annotations
 
-import json
-import sys
 from dataclasses import asdict
 from importlib import import_module
 from typing import Any
@@ -22,7 +15,11 @@ MODULES = {
 
 
 def run(request: dict[str, Any]) -> dict[str, list[tuple[float, dict[str, Any]]]]:
-    """Outcomes of growing steps by method, up to the first that is lost."""
+    """Outcomes of growing steps by method, up to the first that is lost.
+
+    The request has `peer`, `mechanism`, `size`, the `grid` of steps [s] and the `case`: `stop` [s],
+    `reference` [J], `length` [m].
+    """
     module: Any = import_module(MODULES[request["peer"]])
     mechanism = request["mechanism"], request["size"]
     return {
@@ -35,9 +32,3 @@ def run(request: dict[str, Any]) -> dict[str, list[tuple[float, dict[str, Any]]]
         ]
         for method in module.METHODS
     }
-
-
-if __name__ == "__main__":
-    results = run(json.load(sys.stdin))
-    print()
-    print(json.dumps(results))

@@ -12,6 +12,8 @@ from benchmarks.peer_interpreter import InterpreterError, answer, packages_there
 from benchmarks.stability_rules import Outcome, Seen
 from benchmarks.stability_runs import Ready
 
+PROGRAM = ["-m", "benchmarks.peer_run", "benchmarks.stability_peer"]
+
 LIMIT = 300.0
 """Seconds for all methods of a peer on one mechanism."""
 MODELS = ("chain", "four-bar", "bricard", "stiff spring")
@@ -40,7 +42,7 @@ def scanned(peer: str, ready: Ready, grid: Sequence[float]) -> tuple[dict[str, S
         "case": {"stop": ready.stop, "reference": ready.reference, "length": case.length},
     }
     try:
-        found = answer(["-m", "benchmarks.stability_peer"], request, patience=LIMIT)
+        found = answer(PROGRAM, request, patience=LIMIT)
     except InterpreterError as error:
         return {}, f"{peer}, {case.name}: {error}"
     return {

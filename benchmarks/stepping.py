@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from benchmarks.timing import Entry
+from benchmarks.report import Value
+from benchmarks.timing import Entry, Times
 from solver.runtime import Integrator, StepError
 
 WARM_UP = 20
@@ -13,7 +14,8 @@ class Repeated:
 
     The integrator's setting ``step_size`` must be `h`. `solves` is the number of implicit solves
     among the steps, `newton_per_solve` their average number of Newton iterations; `halved` says
-    that some had to be divided, `failure` why one could not be solved (None if all were).
+    that some had to be divided, `failure` why one could not be solved (None if all were); `energy`
+    and `constraint` are the errors at the end.
     """
 
     def __init__(
@@ -30,8 +32,27 @@ class Repeated:
             self._state = integrator.save()
             self._run()
             self._count()
+            self.energy, self.constraint = (
+                float(integrator[name]) for name in ("energy.error", "constraint.position")
+            )
         except StepError as error:
             self.failure = str(error)
+
+    def row(self, times: Times | None) -> dict[str, Value]:
+        """What is told of the steps: µs per inner step, iterations, errors at the end, noise.
+
+        There are no times where a step failed.
+        """
+        if times is None:
+            return {"remark": "a step failed"}
+        return {
+            "solve": 1e6 * times.minimum / self.solves,
+            "newton": self.newton_per_solve,
+            "energy": self.energy,
+            "constraint": self.constraint,
+            "noise": times.noise,
+            "remark": "some steps halved" if self.halved else "",
+        }
 
     @property
     def entry(self) -> Entry:

@@ -15,14 +15,13 @@ DOUBLE_PENDULUM = 2.5
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "solve": "µs per inner step",
-    "step": "µs per step of 1 ms",
-    "node": "µs per inner step and point",
-    "newton": "Newton iterations per inner step",
-    "noise": "noise",
+    "solve": ("µs per inner step", ".2f"),
+    "step": ("µs per step of 1 ms", ".2f"),
+    "node": ("µs per inner step and point", ".3f"),
+    "newton": ("Newton iterations per inner step", ".2f"),
+    "noise": ("noise", ".2f"),
     "remark": "",
 }
-FORMATS = {"solve": ".2f", "step": ".2f", "node": ".3f", "newton": ".2f", "noise": ".2f"}
 
 
 def measure(effort: Effort) -> Section:
@@ -47,7 +46,7 @@ def measure(effort: Effort) -> Section:
             "rod pinned, v_y,i = 0.5 sin(2πi/N) m/s, without gravity. Four-bar: IFToMM benchmark "
             "A02 with two loops."
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         goals=_goals(rows, effort.largest),
         remarks=[f"{name}: {x.failure}" for name, x in cases.items() if name not in able],
     )
@@ -67,36 +66,14 @@ def mechanisms(largest: int) -> dict[str, tuple[Content, int, float | None]]:
 
 
 def _row(name: str, case: Repeated, times: Times | None, effort: Effort) -> dict[str, Value]:
-    row: dict[str, Value] = {"mechanism": name}
-    if times is None:
-        return row | {"remark": "a step failed"}
-    points = mechanisms(effort.largest)[name][1]
-    solve = 1e6 * times.minimum / case.solves
-    return row | {
-        "solve": solve,
-        "step": 1e6 * times.minimum / case.count,
-        "node": solve / points,
-        "newton": case.newton_per_solve,
-        "noise": times.noise,
-        "remark": "some steps halved" if case.halved else "",
-    }
+    row = {"mechanism": name, **case.row(times)}
+    if times is not None:
+        row["step"] = 1e6 * times.minimum / case.count
+        row["node"] = float(row["solve"]) / mechanisms(effort.largest)[name][1]
+    return row
 
 
 def _goals(rows: list[dict[str, Value]], largest: int) -> list[Goal]:
-    goals = []
-    known = mechanisms(largest)
-    for row in rows:
-        name, goal = str(row["mechanism"]), known[str(row["mechanism"])][2]
-        if goal is None:
-            continue
-        value, noise = row.get("solve"), row.get("noise")
-        goals.append(
-            Goal(
-                what=f"inner step, {name}",
-                unit="µs",
-                goal=goal,
-                value=value if isinstance(value, float) else None,
-                noise=noise if isinstance(noise, float) else None,
-            )
-        )
-    return goals
+    goals = {name: goal for name, (_, _, goal) in mechanisms(largest).items() if goal is not None}
+    of_goals = ((str(row["mechanism"]), row) for row in rows if row["mechanism"] in goals)
+    return [Goal.of_row(f"inner step, {name}", goals[name], x, "solve") for name, x in of_goals]

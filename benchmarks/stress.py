@@ -27,19 +27,19 @@ PHASES = 40
 
 COLUMNS = {
     "what": "what",
-    "value": "value",
-    "h": "h, s",
-    "energy": "largest energy.error",
-    "constraint": "largest constraint.position",
-    "newton": "Newton iterations",
-    "divided": "solves over those asked for",
+    "value": ("value", "g"),
+    "h": ("h, s", ".2g"),
+    "energy": ("largest energy.error", ".1e"),
+    "constraint": ("largest constraint.position", ".1e"),
+    "newton": ("Newton iterations", ".1f"),
+    "divided": ("solves over those asked for", ".2f"),
     "outcome": "outcome",
 }
-FORMATS = {
-    "value": "g", "h": ".2g", "energy": ".1e", "constraint": ".1e", "newton": ".1f",
-    "divided": ".2f",
-}  # fmt: skip
-COUNTS = {"outcome": "outcome", "number": "mechanisms", "energy": "largest energy.error"}
+COUNTS = {
+    "outcome": "outcome",
+    "number": ("mechanisms", ".0f"),
+    "energy": ("largest energy.error", ".1e"),
+}
 
 Case = tuple[str, float, str, float]
 """What, its value, the scene, the step [s]."""
@@ -73,9 +73,8 @@ def measure(effort: Effort) -> Section:
             f"{RANDOM_STEPS} steps of {RANDOM_STEP:g} s."
         ),
         tables=[
-            Table(title="One number far from one", columns=COLUMNS, rows=rows, formats=FORMATS),
-            Table(title="Random mechanisms", columns=COUNTS, rows=random,
-                  formats={"number": ".0f", "energy": ".1e"}),
+            Table(title="One number far from one", columns=COLUMNS, rows=rows),
+            Table(title="Random mechanisms", columns=COUNTS, rows=random),
         ],
         goals=[
             Goal(what="share of wrong runs, one number far from one", unit="1", goal=1e-3,

@@ -26,13 +26,12 @@ Work = tuple[str, int, Callable[[], None]]
 
 COLUMNS = {
     "what": "what",
-    "count": "number",
-    "wall": "wall, s",
-    "cpu": "CPU of all processes, s",
-    "each": "CPU of each, ms",
-    "rate": "a second (wall)",
+    "count": ("number", ".0f"),
+    "wall": ("wall, s", ".2f"),
+    "cpu": ("CPU of all processes, s", ".2f"),
+    "each": ("CPU of each, ms", ".1f"),
+    "rate": ("a second (wall)", ".0f"),
 }
-FORMATS = {"count": ".0f", "wall": ".2f", "cpu": ".2f", "each": ".1f", "rate": ".0f"}
 
 
 def measure(effort: Effort) -> Section:
@@ -50,7 +49,7 @@ def measure(effort: Effort) -> Section:
             "after the first of the process, each with a trial run and its parameter set. The "
             f"least of {REPETITIONS} repetitions, by wall time; {processors()} processors."
         ),
-        tables=[Table(title="Together", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="Together", columns=COLUMNS, rows=rows)],
         goals=[
             _goal(f"a run of a sweep of {RUNS} over {STOP_TIME:g} s", RUNS_A_SECOND, rows[2]),
             _goal("an FMU of variants, after the first", FMUS_A_SECOND, rows[4]),

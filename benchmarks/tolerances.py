@@ -45,36 +45,24 @@ DAMPED = ("spring_pendulum", "double_wishbone", "flyball_governor")
 
 COLUMNS = {
     "scene": "scene",
-    "tolerance": "tolerance",
-    "ratio": "error/tolerance",
-    "order": "last order",
-    "halves": "half steps",
-    "ms": "ms",
-    "energy": "energy error",
-}
-FORMATS = {
-    "tolerance": ".0e",
-    "ratio": ".2g",
-    "order": "g",
-    "halves": "g",
-    "ms": ".2f",
-    "energy": ".0e",
+    "tolerance": ("tolerance", ".0e"),
+    "ratio": ("error/tolerance", ".2g"),
+    "order": ("last order", "g"),
+    "halves": ("half steps", "g"),
+    "ms": ("ms", ".2f"),
+    "energy": ("energy error", ".0e"),
 }
 PRICES = {
     "scene": "scene",
-    "error": "error",
-    "order": "last order",
-    "halves": "half steps",
-    "ms": "ms",
-    "fixed_order": "best order",
-    "fixed_halves": "its half steps",
-    "fixed_ms": "its ms",
-    "price": "times as long",
+    "error": ("error", ".1e"),
+    "order": ("last order", "g"),
+    "halves": ("half steps", "g"),
+    "ms": ("ms", ".2f"),
+    "fixed_order": ("best order", "g"),
+    "fixed_halves": ("its half steps", "g"),
+    "fixed_ms": ("its ms", ".2f"),
+    "price": ("times as long", ".2f"),
 }
-PRICE_FORMATS = {
-    "error": ".1e", "order": "g", "halves": "g", "ms": ".2f", "fixed_order": "g",
-    "fixed_halves": "g", "fixed_ms": ".2f", "price": ".2f",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,13 +219,8 @@ def measure(effort: Effort) -> Section:
             "errors again, which steps of changing length do not."
         ),
         tables=[
-            Table(title="Tolerances", columns=COLUMNS, rows=rows, formats=FORMATS),
-            Table(
-                title=f"Price of a tolerance of {PRICED:.0e}",
-                columns=PRICES,
-                rows=prices,
-                formats=PRICE_FORMATS,
-            ),
+            Table(title="Tolerances", columns=COLUMNS, rows=rows),
+            Table(title=f"Price of a tolerance of {PRICED:.0e}", columns=PRICES, rows=prices),
         ],
         goals=[
             Goal(

@@ -29,21 +29,18 @@ COLUMNS = {
     "solver": "solver",
     "setting": "setting",
     "ms": "CPU ms",
-    "position": "position error, m",
-    "velocity": "velocity error, m/s",
-    "energy": "energy error, J",
-    "noise": "noise",
+    "position": ("position error, m", ".1e"),
+    "velocity": ("velocity error, m/s", ".1e"),
+    "energy": ("energy error, J", ".1e"),
+    "noise": ("noise", ".2f"),
     "remark": "",
 }
-FORMATS = {
-    "ms": ".3g", "position": ".1e", "velocity": ".1e", "energy": ".1e", "noise": ".2f",
-}  # fmt: skip
 SOURCES = {
     "problem": "problem",
     "source": "reference",
-    "stop": "end, s",
-    "ours": "our best is off by, m",
-    "theirs": "best of other multibody codes is off by, m",
+    "stop": ("end, s", "g"),
+    "ours": ("our best is off by, m", ".0e"),
+    "theirs": ("best of other multibody codes is off by, m", ".0e"),
 }
 METHOD = (
     "Largest error of the positions and velocities of watched places at the end, against the "
@@ -110,7 +107,6 @@ def measure(effort: Effort) -> Section:
                     title=case.problem.title,
                     columns=COLUMNS,
                     rows=case.rows,
-                    formats=FORMATS,
                     picture=f"work_precision_{case.problem.key}.png" if drawn else None,
                     on_page=not drawn,
                 )
@@ -156,9 +152,8 @@ def _references(solved: Sequence[Solved]) -> Table:
         }
         for case in solved
     ]
-    formats = {"ours": ".0e", "theirs": ".0e", "stop": "g"}
     title = "References, and how far codes that share nothing with them come to them"
-    return Table(title=title, columns=SOURCES, rows=rows, formats=formats)
+    return Table(title=title, columns=SOURCES, rows=rows)
 
 
 def _told(solved: Sequence[Solved]) -> Table:

@@ -17,11 +17,11 @@ COUNT = 300
 GOALS = {10: 4.0, 100: 30.0, 1000: 200.0}
 """Points, and goal of a step of ours [microseconds]."""
 COLUMNS = {
-    "points": "points",
+    "points": ("points", "d"),
     "solver": "solver",
     "length": "step, ms",
     "step": "µs per step",
-    "noise": "noise",
+    "noise": ("noise", ".2f"),
 }
 
 Row = Mapping[str, Any]
@@ -55,19 +55,17 @@ def _row(points: int, solver: str, length: float, step: float, noise: Value) -> 
 
 def table(rows: Sequence[dict[str, Value]]) -> Table:
     """Chains beside each other."""
-    formats = {"points": "d", "length": ".3g", "step": ".3g", "noise": ".2f"}
-    return Table(title="Chains of points", columns=COLUMNS, rows=rows, formats=formats)
+    return Table(title="Chains of points", columns=COLUMNS, rows=rows)
 
 
 def goals(rows: Sequence[dict[str, Value]]) -> list[Goal]:
     """Our half step, whose energy is as exact as that of a pair."""
     return [
-        Goal(
-            what=f"step of 1 ms, chain of {row['points']} points in space, energy exact",
-            unit="µs",
-            goal=GOALS[int(row["points"])],  # type: ignore[arg-type]
-            value=float(row["step"]),  # type: ignore[arg-type]
-            noise=float(row["noise"]),  # type: ignore[arg-type]
+        Goal.of_row(
+            f"step of 1 ms, chain of {row['points']} points in space, energy exact",
+            GOALS[int(row["points"])],  # type: ignore[arg-type]
+            row,
+            "step",
         )
         for row in rows
         if str(row["solver"]).startswith("holonom, half step")

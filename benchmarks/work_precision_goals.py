@@ -42,7 +42,6 @@ def overview(curves: Curves) -> Table:
         title="CPU ms to reach a position error",
         columns={"problem": "problem", "solver": "solver"} | levels,
         rows=rows,
-        formats=dict.fromkeys(levels, ".3g"),
     )
 
 

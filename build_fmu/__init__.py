@@ -7,11 +7,12 @@ PosixPath('four_bar.fmu')
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from solver.extras import from_homes
 
 if TYPE_CHECKING:
     from build_fmu.study.sweep import sweep
@@ -76,18 +77,6 @@ def build(
     return build_archive(scene, path, parameters, chosen_package(native, fmi, platforms, sources))
 
 
-_STUDIES = {"sweep": "build_fmu.study.sweep", "variants": "build_fmu.study.variants"}
-"""Where functions are whose imports a build need not wait for."""
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _STUDIES:
-        text = f"module {__name__!r} has no attribute {name!r}"
-        raise AttributeError(text)
-    found = getattr(importlib.import_module(_STUDIES[name]), name)
-    globals()[name] = found
-    return found
-
-
-def __dir__() -> list[str]:
-    return sorted(__all__)
+# A build need not wait for the imports of studies.
+_HOMES = "build_fmu.study.sweep", "build_fmu.study.variants"
+__getattr__, __dir__ = from_homes(__name__, __all__, _HOMES)

@@ -6,8 +6,7 @@ every start value comes back as the same double.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from itertools import starmap
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement
 
@@ -76,19 +75,14 @@ def model_description(
     local
         Indices of the variables that are no ports.
     """
-    types = declared_types(model.variables)
     capabilities = CAPABILITIES | (NATIVE if native else {})
     files = [element("SourceFiles", element("File", name=UNIT))] if sources else []
-    experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
-    ports = with_local(model.variables, local)
+    types, ports, parts = common_parts(model, nominal, local, _type)
     variables = (_variable(i, variable, types) for i, variable in enumerate(ports))
     return description(
         model, "2.0", {"guid": guid}, date, tool,
         element("CoSimulation", *files, modelIdentifier=identifier, **capabilities),
-        element("UnitDefinitions", *map(unit, types)),
-        element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
-        element("LogCategories", *starmap(category, LOG_CATEGORIES.items())),
-        element("DefaultExperiment", **experiment),
+        *parts,
         element(
             "VendorAnnotations",
             *(element("Tool", each, name=name) for name, each in vendor_annotations(model, source)),
@@ -120,23 +114,43 @@ def description(
     )
 
 
-def category(name: str, description: str) -> Element:
-    """Return the element of a category of the log."""
-    return element("Category", name=name, description=description)
+def common_parts(
+    model: Model, nominal: Mapping[str, float] | None, local: Collection[int],
+    type_of: Callable[[str, Mapping[str, object]], Element],
+) -> tuple[dict[str, str], list[Variable], list[Element]]:  # fmt: skip
+    """Return types by unit, ports, and units, types, categories of the log and the experiment.
+
+    `type_of` is the element of a type, from its name and the attributes of what has it.
+    """
+    types, known = declared_types(model.variables), nominal or {}
+    experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
+    categories = (element("Category", name=n, description=x) for n, x in LOG_CATEGORIES.items())
+    declared = (
+        type_of(x, {"quantity": x.rpartition(".")[2], "unit": unit, "nominal": known.get(unit)})
+        for unit, x in types.items()
+    )
+    # Importers may read what is no port.
+    ports = [
+        v._replace(causality="local") if i in local else v for i, v in enumerate(model.variables)
+    ]
+    parts = [
+        element("UnitDefinitions", *map(_unit, types)),
+        element("TypeDefinitions", *declared),
+        element("LogCategories", *categories),
+        element("DefaultExperiment", **experiment),
+    ]
+    return types, ports, parts
 
 
-def unit(name: str) -> Element:
+def _unit(name: str) -> Element:
     """Return the element of a unit, with its base units where they are known."""
     base = base_unit(name)
     bases = [] if base is None else [element("BaseUnit", **base_unit_attributes(base))]
     return element("Unit", *bases, name=name)
 
 
-def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
-    """Type of what has a unit, with its nominal value."""
-    quantity = name.rpartition(".")[2]
-    real = element("Real", quantity=quantity, unit=unit, nominal=nominal.get(unit))
-    return element("SimpleType", real, name=name)
+def _type(name: str, given: Mapping[str, object]) -> Element:
+    return element("SimpleType", element("Real", **given), name=name)
 
 
 def vendor_annotations(model: Model, source: Source | None) -> list[tuple[str, Element]]:
@@ -157,11 +171,6 @@ def vendor_annotations(model: Model, source: Source | None) -> list[tuple[str, E
     for text in source.overrides.values():
         SubElement(scene, "Override").text = legible(text)
     return [("holonom", scene), *found]
-
-
-def with_local(variables: Sequence[Variable], local: Collection[int]) -> list[Variable]:
-    """Return the variables, those that are no ports with the causality of such ones."""
-    return [v._replace(causality="local") if i in local else v for i, v in enumerate(variables)]
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
@@ -200,26 +209,26 @@ def _is_settable(variable: Variable) -> bool:
 
 
 def _structure(model: Model, ports: Sequence[Variable]) -> Element:
-    """Outputs and InitialUnknowns, each with what it depends on; indices count from 1.
+    """Outputs and InitialUnknowns, each with what it depends on; indices count from 1."""
+    lists: dict[str, list[Element]] = {}
+    for name, index, known in unknowns(model, ports):
+        unknown = element("Unknown", index=index, dependencies=known)
+        lists.setdefault(name, []).append(unknown)
+    return element("ModelStructure", *(element(name, *each) for name, each in lists.items()))
 
-    Of a model that was read from bytes that is not known, which means all.
+
+def unknowns(
+    model: Model, ports: Sequence[Variable]
+) -> Iterator[tuple[str, str, str | None]]:  # fmt: skip
+    """Yield the list of each unknown, its place, and those of what it depends on, from 1 on.
+
+    Of a model that was read from bytes these are not known, which means all: None.
     """
-    of_unknown, lists = model.dependencies or {}, []
+    of_unknown = model.dependencies or {}
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
-        unknowns = []
         for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
-            known = dependencies_of(of_unknown, i, place, ports)
-            unknowns.append(element("Unknown", index=str(i + 1), dependencies=known))
-        lists += [element(name, *unknowns)] if unknowns else []
-    return element("ModelStructure", *lists)
-
-
-def dependencies_of(
-    of_unknown: Mapping[int, Sequence[Sequence[int]]], unknown: int, place: int,
-    ports: Sequence[Variable],
-) -> str | None:  # fmt: skip
-    """List the ports that an unknown depends on, counted from 1; None: it may be all."""
-    if unknown not in of_unknown:
-        return None
-    known = (k for k in of_unknown[unknown][place] if ports[k].causality != "local")
-    return " ".join(str(k + 1) for k in known)
+            known = None
+            if i in of_unknown:
+                seen = (k for k in of_unknown[i][place] if ports[k].causality != "local")
+                known = " ".join(str(k + 1) for k in seen)
+            yield name, str(i + 1), known

@@ -7,24 +7,18 @@ such: the index in `Model.variables` and 1. That of the time, which comes last, 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from itertools import starmap
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
 from build_fmu.model_description import (
-    EXPERIMENT,
-    UNKNOWNS,
     attributes_of_value,
     attributes_of_variable,
-    category,
-    dependencies_of,
+    common_parts,
     description,
-    unit,
+    unknowns,
     vendor_annotations,
-    with_local,
 )
-from build_fmu.xml_parts import declared_types, element
-from fmu_src.status import LOG_CATEGORIES
+from build_fmu.xml_parts import element
 
 if TYPE_CHECKING:
     from solver.runtime import Model, Variable
@@ -56,9 +50,7 @@ def model_description_fmi3(
     local: Collection[int] = (),
 ) -> bytes:  # fmt: skip
     """Text of modelDescription.xml; the arguments are those of ``model_description``."""
-    types = declared_types(model.variables)
-    experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
-    ports = with_local(model.variables, local)
+    types, ports, parts = common_parts(model, nominal, local, _type)
     variables = (_variable(i, variable, types) for i, variable in enumerate(ports, 1))
     time = element(  # no name of a scene is `time`
         "Float64", name="time", valueReference="0",
@@ -67,10 +59,7 @@ def model_description_fmi3(
     return description(
         model, "3.0", {"instantiationToken": guid}, date, tool,
         element("CoSimulation", modelIdentifier=identifier, **CAPABILITIES),
-        element("UnitDefinitions", *map(unit, types)),
-        element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
-        element("LogCategories", *starmap(category, LOG_CATEGORIES.items())),
-        element("DefaultExperiment", **experiment),
+        *parts,
         element("ModelVariables", *variables, time),
         _structure(model, ports),
         element(
@@ -83,11 +72,8 @@ def model_description_fmi3(
     )  # fmt: skip
 
 
-def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
-    quantity = name.rpartition(".")[2]
-    return element(
-        "Float64Type", name=name, quantity=quantity, unit=unit, nominal=nominal.get(unit)
-    )
+def _type(name: str, given: Mapping[str, object]) -> Element:
+    return element("Float64Type", name=name, **given)
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
@@ -100,12 +86,13 @@ def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Eleme
 
 def _structure(model: Model, ports: Sequence[Variable]) -> Element:
     """Outputs and initial unknowns, each with the value references of what it depends on."""
-    of_unknown, found = model.dependencies or {}, []
-    for place, (name, kinds) in enumerate(UNKNOWNS.items()):
-        for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
-            known = dependencies_of(of_unknown, i, place, ports)
-            found.append(element(TAGS[name], valueReference=str(i + 1), dependencies=known))
-    return element("ModelStructure", *found)
+    return element(
+        "ModelStructure",
+        *(
+            element(TAGS[name], valueReference=place, dependencies=known)
+            for name, place, known in unknowns(model, ports)
+        ),
+    )
 
 
 TAGS = {"Outputs": "Output", "InitialUnknowns": "InitialUnknown"}

@@ -78,13 +78,7 @@ def compile_kernel(root: Path) -> list[Path]:
 
     They are those of this platform: for Python and, where FMI has a name for it, for FMUs.
     """
-    compiler = system_compiler() or zig_compiler()
-    if compiler is None:
-        text = (
-            "the kernel needs a C compiler, and neither $CC nor cc, gcc, clang works here\n"
-            "remedy: install one, or its replacement from PyPI: pip install ziglang"
-        )
-        raise CompilerError(text)
+    compiler = any_compiler()
     if not any((root / SOURCES).glob("*.c")):
         text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
         raise CompilerError(text)
@@ -219,6 +213,23 @@ def compile_library(
     run = _run(command, folder, str(target.parent))
     if run.returncode != 0:
         raise CompilerError(_failure(command, run.stdout))
+
+
+def any_compiler() -> list[str]:
+    """Command of a C compiler of this machine or, where it has none, of the `ziglang` wheel.
+
+    Raises
+    ------
+    CompilerError
+        When there is neither; the text has the remedy.
+    """
+    if compiler := system_compiler() or zig_compiler():
+        return compiler
+    text = (
+        "a C compiler is needed, and neither $CC nor cc, gcc, clang works here\n"
+        "remedy: install one, or its replacement from PyPI: pip install ziglang"
+    )
+    raise CompilerError(text)
 
 
 def system_compiler() -> list[str] | None:

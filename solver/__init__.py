@@ -11,8 +11,9 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from solver.extras import from_homes
 
 if TYPE_CHECKING:
     from solver.closing import Closing, close
@@ -25,24 +26,6 @@ __all__ = ["AssemblyError", "Integrator", "Model", "OptionError", "StepError"]
 __all__ += ["Closing", "Scene", "SceneError", "SceneWarning", "Trajectory"]
 __all__ += ["assemble", "close", "load", "loads", "simulate"]
 
-_HOMES = (
-    "solver.runtime",
-    "solver.scene",
-    "solver.mechanics",
-    "solver.trajectory",
-    "solver.closing",
-)
-"""Modules that have these names, those that take longest to import last."""
-
-
-def __getattr__(name: str) -> object:
-    """Import what is asked for: `solver.runtime` alone must not bring NumPy or the scene reader."""
-    for home in map(import_module, _HOMES if name in __all__ else ()):
-        if hasattr(home, name):
-            return getattr(home, name)
-    message = f"module 'solver' has no attribute {name!r}"
-    raise AttributeError(message)
-
-
-def __dir__() -> list[str]:
-    return sorted(__all__)
+# `solver.runtime` alone must not bring NumPy or the scene reader: what takes longest comes last.
+_HOMES = "runtime", "scene", "mechanics", "trajectory", "closing"
+__getattr__, __dir__ = from_homes(__name__, __all__, [f"solver.{home}" for home in _HOMES])

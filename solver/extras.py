@@ -1,9 +1,28 @@
-"""Packages that few uses need; each is an extra of the installation."""
+"""What is imported when it is asked for: modules that take long, and packages that few need."""
 
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Callable, Sequence
 from typing import Any
+
+
+def from_homes(
+    package: str, names: Sequence[str], homes: Sequence[str]
+) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """Return `__getattr__` and `__dir__` of a package whose names are in other modules.
+
+    These are imported in turn, when a name is asked for, until one has it.
+    """
+
+    def found(name: str) -> Any:
+        for home in map(importlib.import_module, homes if name in names else ()):
+            if hasattr(home, name):
+                return getattr(home, name)
+        message = f"module {package!r} has no attribute {name!r}"
+        raise AttributeError(message)
+
+    return found, lambda: sorted(names)
 
 
 def missing(package: str, extra: str) -> str:

@@ -127,9 +127,6 @@ _TABLE = (
 OPTIONS: dict[str, Option] = {option.name: option for option in _TABLE}
 """All settings, by name."""
 
-CHOICES = {name: option.words for name, option in OPTIONS.items() if option.words}
-"""Words of the settings that choose one."""
-
 _PAPER = (
     "the core steps by conserving-al with nested updates; holonom.simulate(scene, formulation=..., "
     "algorithm=..., multiplier_update=...) runs the others by solver.paper"
@@ -140,22 +137,19 @@ _VELOCITY = (
     "solver.paper"
 )
 REMOVED = {
-    "formulation": _PAPER,
-    "algorithm": _PAPER,
-    "multiplier_update": _PAPER,
+    **dict.fromkeys(("formulation", "algorithm", "multiplier_update"), _PAPER),
     "paired": "half steps always come in pairs, which makes velocities smooth",
-    "xi": _VELOCITY,
-    "omega": _VELOCITY,
+    **dict.fromkeys(("xi", "omega"), _VELOCITY),
     "energy": "steps are solved to newton_tolerance; explicit steps, which a tolerance takes "
     "wherever it can, have no use for another",
 }
 """Settings of before, by name, and where what they did has gone."""
 
 
-def removed(name: str) -> str:
-    """Sentence on a setting of before, such as ``solver.energy``; empty for any other name."""
-    setting = name.removeprefix("solver.")
-    there = REMOVED.get(setting)
+def removed(name: object) -> str:
+    """Sentence on a variable of before, such as ``solver.energy``; empty for any other name."""
+    table, _, setting = str(name).partition(".")
+    there = REMOVED.get(setting) if table == "solver" else None
     return f"the setting '{setting}' left in version 2.0: {there}" if there else ""
 
 

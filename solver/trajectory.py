@@ -13,7 +13,7 @@ import numpy as np
 
 from solver.extras import imported
 from solver.mechanics import assemble
-from solver.options import removed
+from solver.options import OPTIONS
 from solver.runtime import Integrator, Model, OptionError, StepError
 from solver.runtime.errors import UnknownNameError, tell
 from solver.scene import Scene, load
@@ -209,9 +209,10 @@ def simulate(
     method = _method(options, inputs or {}) if by_paper else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
-    if gone := [text for name in options if (text := removed(name))]:
-        raise OptionError("; ".join(gone))
     settings = {f"solver.{name}": value for name, value in options.items()}
+    for name in settings:
+        if name.removeprefix("solver.") not in OPTIONS:
+            raise UnknownNameError(name, [f"solver.{x}" for x in (*OPTIONS, *PAPER)])
     held = {name: value for name, value in (inputs or {}).items() if not changes(value)}
     for name, value in {**(parameters or {}), **held, **settings}.items():
         integrator[name] = value
@@ -258,9 +259,10 @@ def _method(options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any
         if changes(value)
     ]
     problems += [
-        f"{name}: the paper's method has no such setting; leave '{name}' out, "
-        f"or {', '.join(method)}"
-        for name in options.keys() - {"internal_step", "assemble", "start"}
+        f"{name}: the paper's method has no such setting; leave it out, or, for the core, leave "
+        f"{' and '.join(method)} out"
+        for name in options
+        if name in OPTIONS and name not in ("assemble", "start")
     ]
     if problems:
         raise OptionError("; ".join(problems))

@@ -22,7 +22,7 @@ FOLDER = Path(__file__).with_name("recorded")
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """A model by the name of its function, and how it is solved."""
+    """A model by its name, and how it is solved."""
 
     model: str
     stop: float
@@ -50,13 +50,9 @@ RUNS = {
 
 def solved(run: Run, step: float) -> dict[str, np.ndarray]:
     """Values (times, components) by name; needs Exudyn."""
-    from benchmarks import exudyn_models
-    from benchmarks.exudyn_system import solve
+    from benchmarks.exudyn_models import moved
 
-    drawing = getattr(exudyn_models, run.model)()
-    drawing.system.Assemble()
-    solve(drawing, step, run.stop, run.period, run.newton)
-    values = drawing.values()
+    values = moved(run.model, run.stop, run.period, step, run.newton)
     count = round(run.stop / run.period) + 1
     assert all(len(table) == count for table in values.values()), "a record is missing"
     return values

@@ -30,8 +30,18 @@ from exudyn.itemInterface import (
     SensorNode,
 )
 
-from benchmarks.contact.methods import GaveUpError, Method, Setting
-from benchmarks.contact.problems import CRANK, GRAVITY, START, Problem, Score, score, touches
+from benchmarks.contact.methods import PHASES, Method, Setting, steps
+from benchmarks.contact.problems import (
+    CRANK,
+    GRAVITY,
+    START,
+    Problem,
+    Score,
+    gap_of,
+    score,
+    touches,
+)
+from benchmarks.peer_methods import GaveUpError
 from benchmarks.timing import Entry
 
 Kind = exu.OutputVariableType
@@ -177,44 +187,33 @@ Seen = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 def _ball(q: np.ndarray, v: np.ndarray) -> Seen:
-    return q[0], v[0], 0.5 * v[0, [0, -1]] ** 2 + GRAVITY * q[0, [0, -1]]
+    return *gap_of("ball", q, v), 0.5 * v[0, [0, -1]] ** 2 + GRAVITY * q[0, [0, -1]]
 
 
 def _circle(q: np.ndarray, v: np.ndarray) -> Seen:
     q = q[:2] + np.array(START[0])[:, None]
-    r = np.hypot(q[0], q[1])
     energy = 0.5 * np.sum(v * v, axis=0) + GRAVITY * q[1]
-    return 1.0 - r, -(q[0] * v[0] + q[1] * v[1]) / r, energy[[0, -1]]
+    return *gap_of("circle", q, v), energy[[0, -1]]
 
 
 def _slider_crank(q: np.ndarray, v: np.ndarray) -> Seen:
-    angles, rates = q[[2, 5]], v[[2, 5]]
-    play, rate = (
-        CRANK.play(angles, CRANK.crank + CRANK.rod + q[6]),
-        CRANK.play_rate(angles, rates, v[6]),
-    )
-    r = np.maximum(np.hypot(*play), 1e-12)
-    speeds = v[[2, 5, 6]]
-    energy = [0.5 * speeds[:, i] @ CRANK.mass(angles[:, i]) @ speeds[:, i] for i in (0, -1)]
-    return CRANK.clearance - r, -(play[0] * rate[0] + play[1] * rate[1]) / r, np.array(energy)
+    q, v = q[[2, 5, 6]], v[[2, 5, 6]]
+    energy = [0.5 * v[:, i] @ CRANK.mass(q[:, i]) @ v[:, i] for i in (0, -1)]
+    q[2] += CRANK.crank + CRANK.rod
+    return *gap_of("slider_crank", q, v), np.array(energy)
 
 
 OBSERVE = {"ball": _ball, "circle": _circle, "slider_crank": _slider_crank}
-STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8)
-PHASES = (0.6, 0.2, 0.06, 0.02)
-"""Step times √(k/m), of the contact's oscillation: π/phase steps a contact."""
 
 
 def _families(problem: Problem) -> Iterable[Iterable[Setting]]:
-    first = 1e-4 if problem.kind == "slider_crank" else 1e-2
-    steps = [h for h in STEPS if h <= first]
     for solver in SOLVERS:
         if solver == "RK44" and problem.kind == "slider_crank":
             continue  # it has constraints
         for phase in PHASES:
             yield [
                 {"h": h, "solver": solver, "stiffness": problem.mass * (phase / h) ** 2}
-                for h in steps
+                for h in steps(problem)
             ]
 
 

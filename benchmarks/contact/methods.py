@@ -1,30 +1,34 @@
 """A way of solving problems with impacts, its settings, and the best of what it reaches.
 
 The same loop runs here and, for codes that have interpreters of their own, in theirs
-(`benchmarks.contact.run`): NumPy alone is needed.
+(`benchmarks.peer_run`): NumPy alone is needed.
 """
 
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from importlib import import_module
 from typing import Any
 
-from benchmarks.contact.problems import Problem, Score
-from benchmarks.effort import Effort
+from benchmarks.contact.problems import PROBLEMS, Problem, Score
+from benchmarks.effort import repeated
+from benchmarks.peer_methods import GaveUpError, Row, once
 from benchmarks.timing import Entry, interleave
 
-Row = dict[str, Any]
 Setting = dict[str, Any]
 REPETITIONS = 5
+STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8)
+PHASES = (0.6, 0.2, 0.06, 0.02)
+"""Step times √(k/m), of a soft contact's oscillation: π/phase steps a contact."""
 USUAL = 1e-3
 """A step [s] whose runs are kept, whatever they reach."""
 
 
-class GaveUpError(Exception):
-    """A code did not solve a problem with a setting; the text says why."""
+def steps(problem: Problem) -> list[float]:
+    """Steps of codes with soft contacts, from coarse to fine [s]."""
+    return [h for h in STEPS if h <= (1e-4 if problem.kind == "slider_crank" else 1e-2)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,6 +54,12 @@ class Limits:
     """Most settings of a family."""
 
 
+def run(request: dict[str, Any]) -> list[Row]:
+    """Rows of the methods of a `module` on a `problem`, with `limits`."""
+    methods = import_module(f"benchmarks.contact.{request['module']}").METHODS
+    return measured(PROBLEMS[request["problem"]], methods, Limits(**request["limits"]))
+
+
 def measured(problem: Problem, methods: Sequence[Method], limits: Limits) -> list[Row]:
     """The best runs of each method, timed in turn; JSON can hold them."""
     rows: list[Row] = []
@@ -64,10 +74,7 @@ def measured(problem: Problem, methods: Sequence[Method], limits: Limits) -> lis
             setting = row["setting"]
             entries[str(len(rows))] = method.entry(problem, setting)
             rows.append(row | {"setting": method.label(setting), "h": setting.get("h")})
-    effort = Effort(
-        name="best", scale=1.0, repetitions=REPETITIONS, budget=limits.run, largest=1, steps=1
-    )
-    for key, times in interleave(entries, effort).items():
+    for key, times in interleave(entries, repeated(REPETITIONS, limits.run)).items():
         rows[int(key)] |= {"ms": 1e3 * times.minimum, "noise": times.noise}
     return rows
 
@@ -78,7 +85,7 @@ def _family(
     for setting in settings:
         try:
             entry = method.entry(problem, setting)
-            seconds = _once(entry)
+            seconds = once(entry)
             found = method.score(problem, setting)
         except GaveUpError:
             continue
@@ -86,13 +93,6 @@ def _family(
             yield {"solver": method.name, "setting": setting, "ms": 1e3 * seconds} | asdict(found)
         if seconds > limit:
             break
-
-
-def _once(entry: Entry) -> float:
-    entry.prepare()
-    begin = time.process_time()
-    entry.run()
-    return time.process_time() - begin
 
 
 def best(rows: Sequence[Row]) -> list[Row]:

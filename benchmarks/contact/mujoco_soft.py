@@ -17,7 +17,7 @@ import mujoco
 import numpy as np
 from mujoco import rollout
 
-from benchmarks.contact.methods import GaveUpError, Method, Setting
+from benchmarks.contact.methods import PHASES, Method, Setting, steps
 from benchmarks.contact.problems import (
     CRANK,
     GRAVITY,
@@ -25,9 +25,11 @@ from benchmarks.contact.problems import (
     Problem,
     Score,
     damping_ratio,
+    gap_of,
     score,
     touches,
 )
+from benchmarks.peer_methods import GaveUpError
 from benchmarks.timing import Entry
 
 # What diverges is seen in the score; MuJoCo would write a file of it here.
@@ -151,25 +153,14 @@ class Run:
 def _gap(kind: str, q: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Gap and its rate [m, m/s] at all samples."""
     if kind == "ball":
-        return q[0] + 1.0, v[0]
-    if kind == "circle":
-        r = np.hypot(q[0], q[1])
-        return 1.0 - r, -(q[0] * v[0] + q[1] * v[1]) / r
-    angles, rates = np.cumsum(q[:2], axis=0), np.cumsum(v[:2], axis=0)
-    play = CRANK.play(angles, PIN + q[2])
-    rate = CRANK.play_rate(angles, rates, v[2])
-    r = np.maximum(np.hypot(*play), 1e-12)
-    return CRANK.clearance - r, -(play[0] * rate[0] + play[1] * rate[1]) / r
-
-
-STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8)
-PHASES = (0.6, 0.2, 0.06, 0.02)
-"""Step times √k, of the contact's oscillation: π/phase steps a contact."""
+        q = q + 1.0
+    elif kind == "slider_crank":
+        q, v = (np.stack([x[0], x[0] + x[1], x[2]]) for x in (q, v))
+        q[2] += PIN
+    return gap_of(kind, q, v)
 
 
 def _families(problem: Problem) -> Iterable[Iterable[Setting]]:
-    first = 1e-4 if problem.kind == "slider_crank" else 1e-2
-    steps = [h for h in STEPS if h <= first]
     for integrator in ("Euler", "RK4"):
         # A user who sets nothing: a time constant of 0.02 s, critically damped.
         yield [{"h": 2e-3, "integrator": integrator, "solref": "", "solimp": ""}]
@@ -178,7 +169,7 @@ def _families(problem: Problem) -> Iterable[Iterable[Setting]]:
                 yield [
                     {"h": h, "integrator": integrator, "solimp": solimp}
                     | {"solref": _solref(problem, (phase / h) ** 2)}
-                    for h in steps
+                    for h in steps(problem)
                 ]
 
 

@@ -12,8 +12,9 @@ from functools import cache
 from pathlib import Path
 
 import solver
-from benchmarks.contact.methods import GaveUpError, Method, Setting
+from benchmarks.contact.methods import Method, Setting
 from benchmarks.contact.problems import Problem, Score, score
+from benchmarks.peer_methods import GaveUpError
 from benchmarks.timing import Entry
 from solver.runtime import Integrator, Model, StepError
 

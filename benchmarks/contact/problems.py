@@ -80,6 +80,22 @@ def _circle(angle: Array) -> Array:
     return np.stack([np.cos(angle), np.sin(angle)])
 
 
+def gap_of(kind: str, q: Array, v: Array) -> tuple[Array, Array]:
+    """Gap and its rate [m, m/s] of samples.
+
+    q, v (coordinates, samples) are the height of a ball, the place of a mass in its circle, or the
+    angles of crank and rod and the place of the slider.
+    """
+    if kind == "ball":
+        return q[0], v[0]
+    place, rate, most = q[:2], v[:2], 1.0
+    if kind == "slider_crank":
+        place, rate = CRANK.play(q[:2], q[2]), CRANK.play_rate(q[:2], v[:2], v[2])
+        most = CRANK.clearance
+    r = np.maximum(np.hypot(*place), 1e-12)
+    return most - r, -np.sum(place * rate, axis=0) / r
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
     """A motion with impacts."""

@@ -22,24 +22,20 @@ from tests.scene_files import TOUCHING
 BISECTIONS = 50
 COLUMNS = {
     "scene": "scene",
-    "bodies": "bodies and points",
-    "contacts": "contacts",
-    "order": "order",
-    "h": "step, ms",
-    "stop": "simulated s",
+    "bodies": ("bodies and points", ".0f"),
+    "contacts": ("contacts", ".0f"),
+    "order": ("order", ".0f"),
+    "h": ("step, ms", ".4g"),
+    "stop": ("simulated s", ".4g"),
     "cost": "ms per simulated s",
-    "impacts": "impacts",
+    "impacts": ("impacts", ".0f"),
     "stepped": "stepped over",
-    "ledger": "energy.error, largest",
+    "ledger": ("energy.error, largest", ".1e"),
     "what": "known",
-    "value": "value",
-    "error": "relative error",
-    "noise": "noise",
+    "value": ("value", ".12g"),
+    "error": ("relative error", ".1e"),
+    "noise": ("noise", ".2f"),
 }
-FORMATS = {
-    "bodies": ".0f", "contacts": ".0f", "order": ".0f", "h": ".4g", "stop": ".4g", "cost": ".3g",
-    "impacts": ".0f", "ledger": ".1e", "value": ".12g", "error": ".1e", "noise": ".2f",
-}  # fmt: skip
 
 
 # ------------------------------------------------------------------------------- known numbers
@@ -244,7 +240,7 @@ def measure(effort: Effort) -> Section:
             "were stepped over; and one number that is known of it, with the error of the scene "
             "as it is."
         ),
-        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[Table(title="", columns=COLUMNS, rows=rows)],
         remarks=[
             "The cam is given by 72 points; with more of them its landing converges.",
             "After some hits the worn four-bar, Jansen's leg and both slider-cranks are chaotic.",

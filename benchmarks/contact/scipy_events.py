@@ -14,8 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from benchmarks.contact.methods import GaveUpError, Method, Setting
+from benchmarks.contact.methods import Method, Setting
 from benchmarks.contact.problems import CRANK, GRAVITY, START, Problem, Score, score
+from benchmarks.peer_methods import GaveUpError
 from benchmarks.problems_parts import Array
 from benchmarks.timing import Entry
 

@@ -39,12 +39,13 @@ REACHED = {
     "what": "run with the least",
     "setting": "setting",
     "ms": "ms",
-    "events": "largest error of a time",
-    "seen": "impacts seen",
-    "energy": "error of energy",
+    "events": ("largest error of a time", ".1e"),
+    "seen": ("impacts seen", ".0f"),
+    "energy": ("error of energy", ".1e"),
 }
-RUNS = {key: header for key, header in REACHED.items() if key != "what"} | {"noise": "noise"}
-FORMATS = {"events": ".1e", "energy": ".1e", "seen": ".0f", "noise": ".2f"}
+RUNS = {key: header for key, header in REACHED.items() if key != "what"} | {
+    "noise": ("noise", ".2f")
+}
 
 
 def measure(effort: Effort) -> Section:
@@ -70,11 +71,9 @@ def measure(effort: Effort) -> Section:
     usual = [row for row in rows if row["problem"] == elastic and row["h"] == USUAL]
     tables = [
         Table(title="Time to an error of times", columns=TIMES, rows=_times(rows)),
-        Table(title="What is reached", columns=REACHED, rows=_ends(rows), formats=FORMATS),
-        Table(
-            title="100 elastic impacts, steps of 1 ms", columns=RUNS, rows=usual, formats=FORMATS
-        ),
-        Table(title="", columns=RUNS, rows=rows, formats=FORMATS, on_page=False),
+        Table(title="What is reached", columns=REACHED, rows=_ends(rows)),
+        Table(title="100 elastic impacts, steps of 1 ms", columns=RUNS, rows=usual),
+        Table(title="", columns=RUNS, rows=rows, on_page=False),
     ]
     return Section(
         name="contact",
@@ -118,7 +117,7 @@ def _absence() -> str:
 
 def _answered(module: str, problem: Problem, limits: Limits) -> list[Row]:
     request = {"module": module, "problem": problem.key, "limits": asdict(limits)}
-    program = ["-m", "benchmarks.contact.run"]
+    program = ["-m", "benchmarks.peer_run", "benchmarks.contact.methods"]
     return answer(program, request, patience=PATIENCE, environment=ONE)
 
 

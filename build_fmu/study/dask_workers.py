@@ -6,10 +6,12 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from typing import Any
 
 from build_fmu.errors import EnvironmentLackError, UsageError
-from build_fmu.study.processes import DIED, Results, Task
+from build_fmu.study.processes import DIED, Results, Task, timed, together
+from solver.extras import missing
 
 CONNECTION = 10.0
 """Seconds in which a scheduler must answer."""
@@ -47,7 +49,7 @@ def run_on_dask(task: Task, jobs: Sequence[Any], scheduler: Any) -> Results:
         # A result, which is computed anew where the worker that has it dies; scattered data is not.
         shared = client.submit(_itself, task.shared, pure=False)
         waiting, suspects, running = deque(jobs), [], {}
-        together, counted, threads = 1, -NEWS, 1
+        count, counted, threads = 1, -NEWS, 1
         ended = as_completed()
 
         def submit(chunk: Sequence[Any]) -> Any:
@@ -58,7 +60,7 @@ def run_on_dask(task: Task, jobs: Sequence[Any], scheduler: Any) -> Results:
                 if waiting and time.monotonic() - counted >= NEWS:
                     counted, threads = time.monotonic(), sum(client.nthreads().values()) or 1
                 while waiting and len(running) < 2 * threads:  # so that no worker need wait
-                    share = min(together, -(-len(waiting) // (2 * threads)))
+                    share = min(count, -(-len(waiting) // (2 * threads)))
                     chunk = [waiting.popleft() for _ in range(share)]
                     future = submit(chunk)
                     running[future] = chunk
@@ -70,7 +72,7 @@ def run_on_dask(task: Task, jobs: Sequence[Any], scheduler: Any) -> Results:
                     suspects += running.pop(future)
                     continue
                 del running[future]
-                together = jobs_together(seconds / len(results))
+                count = together(seconds, len(results), TOGETHER, MOST_TOGETHER)
                 yield from results
             for job in suspects:  # alone: a worker takes what waits for it along
                 try:
@@ -79,11 +81,6 @@ def run_on_dask(task: Task, jobs: Sequence[Any], scheduler: Any) -> Results:
                     yield task.lost(job, DIED)
         finally:
             client.cancel(list(running))
-
-
-def jobs_together(seconds: float) -> int:
-    """Number of jobs that take so long each and go to a worker at once."""
-    return max(1, min(MOST_TOGETHER, int(TOGETHER / max(seconds, 1e-9))))
 
 
 @contextmanager
@@ -96,11 +93,10 @@ def _open(scheduler: Any) -> Iterator[Any]:
 
 
 def _client(address: str) -> Any:
-    try:
-        from distributed import Client  # pyright: ignore[reportMissingImports]
-    except ImportError:
-        text = "the package distributed is missing; install it: pip install 'holonom[dask]'"
-        raise EnvironmentLackError(text) from None
+    if text := missing("distributed", "dask"):
+        raise EnvironmentLackError(text)
+    from distributed import Client  # pyright: ignore[reportMissingImports]
+
     try:
         return Client(f"tcp://{address}", timeout=CONNECTION)
     except OSError as error:
@@ -118,10 +114,7 @@ def folder_of_worker() -> str:
 def _each(
     function: Callable[[Any, Any], Any], shared: Any, jobs: Sequence[Any]
 ) -> tuple[float, list[Any]]:
-    """Seconds that jobs took, and their results."""
-    begin = time.perf_counter()
-    results = [function(shared, job) for job in jobs]
-    return time.perf_counter() - begin, results
+    return timed(partial(function, shared), jobs)
 
 
 def _itself(value: Any) -> Any:

@@ -74,13 +74,13 @@ def _results_of_a_pool(
     shared = (task.function, task.shared, end, all_there)
     pool = ProcessPoolExecutor(count, context, _begin, shared)
     running: dict[Future[Any], list[Any]] = {}
-    together = 1
+    size = 1
     try:
         _require_start(pool)
         _start_all(pool, count, all_there)
         while waiting or running:
             while waiting and len(running) < (most or 2 * count):  # so that none need wait
-                share = min(together, -(-len(waiting) // (2 * count)))
+                share = min(size, -(-len(waiting) // (2 * count)))
                 jobs = [waiting[at] for at in range(most or share)]
                 with _interrupts_wait():
                     future = pool.submit(_do, jobs)
@@ -90,8 +90,7 @@ def _results_of_a_pool(
             ended = wait(running, return_when=FIRST_COMPLETED).done
             future = min(ended, key=_was_lost)  # results first: they need not be had again
             seconds, results = future.result()
-            together = int(TOGETHER * len(results) / max(seconds, 1e-9))
-            together = max(1, min(MOST_TOGETHER, together))
+            size = together(seconds, len(results), TOGETHER, MOST_TOGETHER)
             del running[future]
             yield from results
     except BrokenProcessPool:
@@ -179,7 +178,16 @@ def _wait_for_all() -> None:
 
 
 def _do(jobs: Sequence[Any]) -> tuple[float, list[Any]]:
+    return timed(_work, jobs)
+
+
+def timed(work: Callable[[Any], Any], jobs: Sequence[Any]) -> tuple[float, list[Any]]:
     """Seconds that jobs took, and their results."""
     begin = time.perf_counter()
-    results = [_work(job) for job in jobs]
+    results = [work(job) for job in jobs]
     return time.perf_counter() - begin, results
+
+
+def together(seconds: float, count: int, enough: float, most: int) -> int:
+    """Number of jobs that go out at once, after so many took so long; for `enough` s of work."""
+    return max(1, min(most, int(enough * count / max(seconds, 1e-9))))

@@ -258,7 +258,7 @@ def _not_settable(where: str, name: str, description: ModelDescription) -> Mista
         help = f"settable: {listed(settable)}" if settable else "it has no parameters and inputs"
         return Mistake(where, f"{name}: is {kind} and cannot be set", help)
     message = f"{description.modelName} has no parameter or input {name!r}"
-    if gone := removed(str(name)) if str(name).startswith("solver.") else "":
+    if gone := removed(name):
         return Mistake(where, f"{message}: {gone}", "leave it out")
     table, dot, part = str(name).partition(".")
     if table in ("parameters", "inputs"):

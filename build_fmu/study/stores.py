@@ -24,6 +24,7 @@ import numpy as np
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.csv_file import cell
 from build_fmu.study.plan import OWN_COLUMNS, Plan, Result
+from solver.extras import missing
 from solver.files import (
     RESULTS,
     TABLE,
@@ -258,11 +259,10 @@ class Hdf5Store(FileStore):
     """
 
     def __init__(self, plan: Plan, trajectories: bool, path: Path, fresh: bool) -> None:
-        try:
-            import h5py  # pyright: ignore[reportMissingImports]
-        except ImportError:
-            text = "the package h5py is missing; install it: pip install 'holonom[hdf5]'"
-            raise EnvironmentLackError(text) from None
+        if text := missing("h5py", "hdf5"):
+            raise EnvironmentLackError(text)
+        import h5py  # pyright: ignore[reportMissingImports]
+
         if grouped := [name for name in plan.outputs if "/" in name]:
             text = (
                 f"{path}: HDF5 takes the '/' of {grouped[0]!r} for a group; write a .csv, or leave "

@@ -12,7 +12,11 @@ FMI2_FUNCTIONS(DECLARE)
 
 static fmi2_status status_of(slave_answer answer) { return (fmi2_status)answer; }
 
-static fmi2_status refuse(fmi2_component c, const char *why) { return status_of(slave_tell(c, ANSWER_ERROR, "%s", why)); }
+static fmi2_status refuse(fmi2_component c, const char *why) { return c ? status_of(slave_tell(c, ANSWER_ERROR, "%s", why)) : FMI2_ERROR; }
+
+/* A function that hands its arguments on to the slave, if there is one. */
+#define CALL(name, arguments, answer) \
+    fmi2_status name arguments { return c ? status_of(answer) : FMI2_ERROR; }
 
 static void say_line(const slave *s, slave_answer level, const char *sentence)
 {
@@ -23,10 +27,8 @@ static void say_line(const slave *s, slave_answer level, const char *sentence)
 const char *fmi2GetTypesPlatform(void) { return "default"; }
 const char *fmi2GetVersion(void) { return "2.0"; }
 
-fmi2_status fmi2SetDebugLogging(fmi2_component c, fmi2_boolean on, size_t count, const fmi2_text category[])
-{
-    return c ? status_of(slave_switch_log(c, on, count, category)) : FMI2_ERROR;
-}
+CALL(fmi2SetDebugLogging, (fmi2_component c, fmi2_boolean on, size_t count, const fmi2_text category[]),
+     slave_switch_log(c, on, count, category))
 
 fmi2_component fmi2Instantiate(fmi2_text name, fmi2_type type, fmi2_text guid, fmi2_text resources, const fmi2_callbacks *callbacks,
                                fmi2_boolean is_visible, fmi2_boolean is_logging)
@@ -46,35 +48,26 @@ fmi2_component fmi2Instantiate(fmi2_text name, fmi2_type type, fmi2_text guid, f
 
 void fmi2FreeInstance(fmi2_component c) { slave_free(c); }
 
-fmi2_status fmi2SetupExperiment(fmi2_component c, fmi2_boolean has_tolerance, double tolerance, double start, fmi2_boolean has_stop,
-                                double stop)
-{
-    return c ? status_of(slave_set_up(c, start, has_stop ? &stop : NULL, has_tolerance ? &tolerance : NULL)) : FMI2_ERROR;
-}
+CALL(fmi2SetupExperiment, (fmi2_component c, fmi2_boolean has_tolerance, double tolerance, double start, fmi2_boolean has_stop,
+     double stop),
+     slave_set_up(c, start, has_stop ? &stop : NULL, has_tolerance ? &tolerance : NULL))
 
-#define CALL(name, call) \
-    fmi2_status name(fmi2_component c) { return c ? status_of(call(c)) : FMI2_ERROR; }
-CALL(fmi2EnterInitializationMode, slave_begin_initialization)
-CALL(fmi2ExitInitializationMode, slave_end_initialization)
-CALL(fmi2Terminate, slave_terminate)
-CALL(fmi2Reset, slave_reset)
+CALL(fmi2EnterInitializationMode, (fmi2_component c), slave_begin_initialization(c))
+CALL(fmi2ExitInitializationMode, (fmi2_component c), slave_end_initialization(c))
+CALL(fmi2Terminate, (fmi2_component c), slave_terminate(c))
+CALL(fmi2Reset, (fmi2_component c), slave_reset(c))
 
 /* --------------------------------------------------------------------------------------------------------- values */
 
-fmi2_status fmi2GetReal(fmi2_component c, const fmi2_reference index[], size_t count, double value[])
-{
-    return c ? status_of(slave_get(c, TYPE_REAL, index, count, value)) : FMI2_ERROR;
-}
-
-fmi2_status fmi2SetReal(fmi2_component c, const fmi2_reference index[], size_t count, const double value[])
-{
-    return c ? status_of(slave_set(c, TYPE_REAL, index, count, value, NULL)) : FMI2_ERROR;
-}
+CALL(fmi2GetReal, (fmi2_component c, const fmi2_reference index[], size_t count, double value[]),
+     slave_get(c, TYPE_REAL, index, count, value))
+CALL(fmi2SetReal, (fmi2_component c, const fmi2_reference index[], size_t count, const double value[]),
+     slave_set(c, TYPE_REAL, index, count, value, NULL))
 
 fmi2_status fmi2GetInteger(fmi2_component c, const fmi2_reference index[], size_t count, int value[])
 {
     (void)index, (void)value;
-    return !c ? FMI2_ERROR : count ? refuse(c, "there are no Integer variables") : FMI2_OK;
+    return c && !count ? FMI2_OK : refuse(c, "there are no Integer variables");
 }
 
 fmi2_status fmi2SetInteger(fmi2_component c, const fmi2_reference index[], size_t count, const int value[])
@@ -98,38 +91,21 @@ fmi2_status fmi2SetBoolean(fmi2_component c, const fmi2_reference index[], size_
     return c ? status_of(slave_set_truths(c, index, count, value ? truth : NULL)) : FMI2_ERROR;
 }
 
-fmi2_status fmi2GetString(fmi2_component c, const fmi2_reference index[], size_t count, fmi2_text value[])
-{
-    return c ? status_of(slave_get_words(c, index, count, value)) : FMI2_ERROR;
-}
-
-fmi2_status fmi2SetString(fmi2_component c, const fmi2_reference index[], size_t count, const fmi2_text value[])
-{
-    return c ? status_of(slave_set_words(c, index, count, value)) : FMI2_ERROR;
-}
+CALL(fmi2GetString, (fmi2_component c, const fmi2_reference index[], size_t count, fmi2_text value[]),
+     slave_get_words(c, index, count, value))
+CALL(fmi2SetString, (fmi2_component c, const fmi2_reference index[], size_t count, const fmi2_text value[]),
+     slave_set_words(c, index, count, value))
 
 /* --------------------------------------------------------------------------------------------------------- states */
 
-fmi2_status fmi2GetFMUstate(fmi2_component c, fmi2_saved *state) { return c ? status_of(slave_keep(c, (slave_kept **)state)) : FMI2_ERROR; }
-
-fmi2_status fmi2SetFMUstate(fmi2_component c, fmi2_saved state) { return c ? status_of(slave_return_to(c, state)) : FMI2_ERROR; }
-
-fmi2_status fmi2FreeFMUstate(fmi2_component c, fmi2_saved *state) { return c ? status_of(slave_free_kept((slave_kept **)state)) : FMI2_ERROR; }
-
-fmi2_status fmi2SerializedFMUstateSize(fmi2_component c, fmi2_saved state, size_t *size)
-{
-    return c ? status_of(slave_size_of_bytes(c, state, size)) : FMI2_ERROR;
-}
-
-fmi2_status fmi2SerializeFMUstate(fmi2_component c, fmi2_saved state, fmi2_byte bytes[], size_t size)
-{
-    return c ? status_of(slave_bytes_of(c, state, bytes, size)) : FMI2_ERROR;
-}
-
-fmi2_status fmi2DeSerializeFMUstate(fmi2_component c, const fmi2_byte bytes[], size_t size, fmi2_saved *state)
-{
-    return c ? status_of(slave_kept_of(c, bytes, size, (slave_kept **)state)) : FMI2_ERROR;
-}
+CALL(fmi2GetFMUstate, (fmi2_component c, fmi2_saved *state), slave_keep(c, (slave_kept **)state))
+CALL(fmi2SetFMUstate, (fmi2_component c, fmi2_saved state), slave_return_to(c, state))
+CALL(fmi2FreeFMUstate, (fmi2_component c, fmi2_saved *state), slave_free_kept((slave_kept **)state))
+CALL(fmi2SerializedFMUstateSize, (fmi2_component c, fmi2_saved state, size_t *size), slave_size_of_bytes(c, state, size))
+CALL(fmi2SerializeFMUstate, (fmi2_component c, fmi2_saved state, fmi2_byte bytes[], size_t size),
+     slave_bytes_of(c, state, bytes, size))
+CALL(fmi2DeSerializeFMUstate, (fmi2_component c, const fmi2_byte bytes[], size_t size, fmi2_saved *state),
+     slave_kept_of(c, bytes, size, (slave_kept **)state))
 
 /* ---------------------------------------------------------------------------------------------------------- steps */
 
@@ -139,29 +115,27 @@ fmi2_status fmi2DoStep(fmi2_component c, double t, double step, fmi2_boolean is_
     return c ? status_of(slave_step(c, t, step)) : FMI2_ERROR;
 }
 
-fmi2_status fmi2CancelStep(fmi2_component c) { return c ? refuse(c, "no step runs on its own, none can be cancelled") : FMI2_ERROR; }
+fmi2_status fmi2CancelStep(fmi2_component c) { return refuse(c, "no step runs on its own, none can be cancelled"); }
 
 fmi2_status fmi2GetDirectionalDerivative(fmi2_component c, const fmi2_reference unknown[], size_t n_unknown, const fmi2_reference known[],
                                          size_t n_known, const double change[], double derivative[])
 {
     (void)unknown, (void)n_unknown, (void)known, (void)n_known, (void)change, (void)derivative;
-    return c ? refuse(c, "this FMU gives no directional derivatives") : FMI2_ERROR;
+    return refuse(c, "this FMU gives no directional derivatives");
 }
 
 fmi2_status fmi2SetRealInputDerivatives(fmi2_component c, const fmi2_reference index[], size_t count, const int order[], const double value[])
 {
     (void)index, (void)count, (void)order, (void)value;
-    return c ? refuse(c, "this FMU takes no derivatives of inputs; interpolation = \"ramp\" or \"smooth\" in [inputs] moves them") : FMI2_ERROR;
+    return refuse(c, "this FMU takes no derivatives of inputs; interpolation = \"ramp\" or \"smooth\" in [inputs] moves them");
 }
 
-fmi2_status fmi2GetRealOutputDerivatives(fmi2_component c, const fmi2_reference index[], size_t count, const int order[], double value[])
-{
-    return c ? status_of(slave_get_derivatives(c, index, count, order, value)) : FMI2_ERROR;
-}
+CALL(fmi2GetRealOutputDerivatives, (fmi2_component c, const fmi2_reference index[], size_t count, const int order[], double value[]),
+     slave_get_derivatives(c, index, count, order, value))
 
 fmi2_status fmi2GetRealStatus(fmi2_component c, fmi2_status_kind kind, double *value)
 {
-    if (!c || !value) return c ? refuse(c, "there is no place for the status") : FMI2_ERROR;
+    if (!c || !value) return refuse(c, "there is no place for the status");
     if (kind != FMI2_LAST_SUCCESSFUL_TIME) return FMI2_DISCARD;
     *value = slave_last_time(c);
     return FMI2_OK;
@@ -169,7 +143,7 @@ fmi2_status fmi2GetRealStatus(fmi2_component c, fmi2_status_kind kind, double *v
 
 fmi2_status fmi2GetBooleanStatus(fmi2_component c, fmi2_status_kind kind, fmi2_boolean *value)
 {
-    if (!c || !value) return c ? refuse(c, "there is no place for the status") : FMI2_ERROR;
+    if (!c || !value) return refuse(c, "there is no place for the status");
     if (kind != FMI2_TERMINATED) return FMI2_DISCARD;
     *value = 0;
     return FMI2_OK;

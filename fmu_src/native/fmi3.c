@@ -14,6 +14,10 @@ static fmi3_status status_of(slave_answer answer) { return (fmi3_status)answer; 
 
 static fmi3_status refuse(fmi3_instance c, const char *why) { return c ? status_of(slave_tell(c, ANSWER_ERROR, "%s", why)) : FMI3_ERROR; }
 
+/* A function that hands its arguments on to the slave, if there is one. */
+#define CALL(name, arguments, answer) \
+    fmi3_status name arguments { return c ? status_of(answer) : FMI3_ERROR; }
+
 static void log_line(fmi3_logger logger, void *environment, slave_answer level, const char *sentence)
 {
     logger(environment, status_of(level), slave_categories[level], sentence);
@@ -32,10 +36,8 @@ static void say_line(const slave *s, slave_answer level, const char *sentence)
 
 const char *fmi3GetVersion(void) { return "3.0"; }
 
-fmi3_status fmi3SetDebugLogging(fmi3_instance c, fmi3_boolean on, size_t count, const fmi3_text category[])
-{
-    return c ? status_of(slave_switch_log(c, on, count, category)) : FMI3_ERROR;
-}
+CALL(fmi3SetDebugLogging, (fmi3_instance c, fmi3_boolean on, size_t count, const fmi3_text category[]),
+     slave_switch_log(c, on, count, category))
 
 static fmi3_instance none(fmi3_logger logger, void *environment, fmi3_boolean is_logging, const char *why)
 {
@@ -83,9 +85,9 @@ fmi3_status fmi3EnterInitializationMode(fmi3_instance c, fmi3_boolean has_tolera
     return status_of(answer ? answer : slave_begin_initialization(c));
 }
 
-fmi3_status fmi3ExitInitializationMode(fmi3_instance c) { return c ? status_of(slave_end_initialization(c)) : FMI3_ERROR; }
-fmi3_status fmi3Terminate(fmi3_instance c) { return c ? status_of(slave_terminate(c)) : FMI3_ERROR; }
-fmi3_status fmi3Reset(fmi3_instance c) { return c ? status_of(slave_reset(c)) : FMI3_ERROR; }
+CALL(fmi3ExitInitializationMode, (fmi3_instance c), slave_end_initialization(c))
+CALL(fmi3Terminate, (fmi3_instance c), slave_terminate(c))
+CALL(fmi3Reset, (fmi3_instance c), slave_reset(c))
 
 fmi3_status fmi3DoStep(fmi3_instance c, double t, double step, fmi3_boolean is_never_repeated, fmi3_boolean *needs_event,
                        fmi3_boolean *terminates, fmi3_boolean *returned_early, double *last_time)
@@ -103,16 +105,24 @@ fmi3_status fmi3DoStep(fmi3_instance c, double t, double step, fmi3_boolean is_n
 
 static fmi3_status check_counts(fmi3_instance c, size_t count, size_t n_values)
 {
-    if (count == n_values) return FMI3_OK;
+    if (c && count == n_values) return FMI3_OK;
     return refuse(c, "as many values as value references are needed: no variable of this FMU is an array");
 }
+
+/* Likewise, with as many values as value references. */
+#define CALL_FOR_VALUES(name, arguments, answer) \
+    fmi3_status name arguments \
+    { \
+        const fmi3_status wrong = check_counts(c, count, n_values); \
+        return wrong ? wrong : status_of(answer); \
+    }
 
 /* Those of the model count from 1, since OMSimulator takes the references of dependencies for places in the list. */
 enum { TIME_REFERENCE };
 
 fmi3_status fmi3GetFloat64(fmi3_instance c, const fmi3_reference index[], size_t count, double value[], size_t n_values)
 {
-    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
+    const fmi3_status wrong = check_counts(c, count, n_values);
     size_t begin = 0;
     if (wrong) return wrong;
     for (size_t k = 0; index && value && k < count; k++) { /* those between two that are the time */
@@ -125,22 +135,16 @@ fmi3_status fmi3GetFloat64(fmi3_instance c, const fmi3_reference index[], size_t
     return status_of(slave_get(c, TYPE_REAL, index ? index + begin : index, count - begin, value ? value + begin : value));
 }
 
-fmi3_status fmi3SetFloat64(fmi3_instance c, const fmi3_reference index[], size_t count, const double value[], size_t n_values)
-{
-    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
-    return wrong ? wrong : status_of(slave_set(c, TYPE_REAL, index, count, value, NULL));
-}
+CALL_FOR_VALUES(fmi3SetFloat64, (fmi3_instance c, const fmi3_reference index[], size_t count, const double value[], size_t n_values),
+                slave_set(c, TYPE_REAL, index, count, value, NULL))
 
-fmi3_status fmi3GetOutputDerivatives(fmi3_instance c, const fmi3_reference index[], size_t count, const int32_t order[], double value[],
-                                     size_t n_values)
-{
-    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
-    return wrong ? wrong : status_of(slave_get_derivatives(c, index, count, order, value));
-}
+CALL_FOR_VALUES(fmi3GetOutputDerivatives, (fmi3_instance c, const fmi3_reference index[], size_t count, const int32_t order[],
+                double value[], size_t n_values),
+                slave_get_derivatives(c, index, count, order, value))
 
 fmi3_status fmi3GetBoolean(fmi3_instance c, const fmi3_reference index[], size_t count, fmi3_boolean value[], size_t n_values)
 {
-    fmi3_status status = c ? check_counts(c, count, n_values) : FMI3_ERROR;
+    fmi3_status status = check_counts(c, count, n_values);
     if (!status && count && !(index && value)) return refuse(c, "value references or the place for values are missing");
     for (size_t k = 0; k < count && !status; k++) {
         int32_t truth;
@@ -152,46 +156,27 @@ fmi3_status fmi3GetBoolean(fmi3_instance c, const fmi3_reference index[], size_t
 
 fmi3_status fmi3SetBoolean(fmi3_instance c, const fmi3_reference index[], size_t count, const fmi3_boolean value[], size_t n_values)
 {
-    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
+    const fmi3_status wrong = check_counts(c, count, n_values);
     double truth[MOST_WORDS];
     for (size_t k = 0; value && k < count && k < MOST_WORDS; k++) truth[k] = value[k];
     return wrong ? wrong : status_of(slave_set_truths(c, index, count, value ? truth : NULL));
 }
 
-fmi3_status fmi3GetString(fmi3_instance c, const fmi3_reference index[], size_t count, fmi3_text value[], size_t n_values)
-{
-    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
-    return wrong ? wrong : status_of(slave_get_words(c, index, count, value));
-}
-
-fmi3_status fmi3SetString(fmi3_instance c, const fmi3_reference index[], size_t count, const fmi3_text value[], size_t n_values)
-{
-    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
-    return wrong ? wrong : status_of(slave_set_words(c, index, count, value));
-}
+CALL_FOR_VALUES(fmi3GetString, (fmi3_instance c, const fmi3_reference index[], size_t count, fmi3_text value[], size_t n_values),
+                slave_get_words(c, index, count, value))
+CALL_FOR_VALUES(fmi3SetString, (fmi3_instance c, const fmi3_reference index[], size_t count, const fmi3_text value[], size_t n_values),
+                slave_set_words(c, index, count, value))
 
 /* --------------------------------------------------------------------------------------------------------- states */
 
-fmi3_status fmi3GetFMUState(fmi3_instance c, fmi3_saved *state) { return c ? status_of(slave_keep(c, (slave_kept **)state)) : FMI3_ERROR; }
-
-fmi3_status fmi3SetFMUState(fmi3_instance c, fmi3_saved state) { return c ? status_of(slave_return_to(c, state)) : FMI3_ERROR; }
-
-fmi3_status fmi3FreeFMUState(fmi3_instance c, fmi3_saved *state) { return c ? status_of(slave_free_kept((slave_kept **)state)) : FMI3_ERROR; }
-
-fmi3_status fmi3SerializedFMUStateSize(fmi3_instance c, fmi3_saved state, size_t *size)
-{
-    return c ? status_of(slave_size_of_bytes(c, state, size)) : FMI3_ERROR;
-}
-
-fmi3_status fmi3SerializeFMUState(fmi3_instance c, fmi3_saved state, fmi3_byte bytes[], size_t size)
-{
-    return c ? status_of(slave_bytes_of(c, state, bytes, size)) : FMI3_ERROR;
-}
-
-fmi3_status fmi3DeserializeFMUState(fmi3_instance c, const fmi3_byte bytes[], size_t size, fmi3_saved *state)
-{
-    return c ? status_of(slave_kept_of(c, bytes, size, (slave_kept **)state)) : FMI3_ERROR;
-}
+CALL(fmi3GetFMUState, (fmi3_instance c, fmi3_saved *state), slave_keep(c, (slave_kept **)state))
+CALL(fmi3SetFMUState, (fmi3_instance c, fmi3_saved state), slave_return_to(c, state))
+CALL(fmi3FreeFMUState, (fmi3_instance c, fmi3_saved *state), slave_free_kept((slave_kept **)state))
+CALL(fmi3SerializedFMUStateSize, (fmi3_instance c, fmi3_saved state, size_t *size), slave_size_of_bytes(c, state, size))
+CALL(fmi3SerializeFMUState, (fmi3_instance c, fmi3_saved state, fmi3_byte bytes[], size_t size),
+     slave_bytes_of(c, state, bytes, size))
+CALL(fmi3DeserializeFMUState, (fmi3_instance c, const fmi3_byte bytes[], size_t size, fmi3_saved *state),
+     slave_kept_of(c, bytes, size, (slave_kept **)state))
 
 /* ------------------------------------------------------------------------------------------------- what is not there */
 

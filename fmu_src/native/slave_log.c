@@ -42,18 +42,6 @@ static int is_said_later(const char *rest, const char *remedy, size_t length)
     return 0;
 }
 
-/* Says so many bytes of a text. */
-static void say_part(hm_text *t, const char *text, size_t length)
-{
-    for (size_t k = 0; k < length; k += 255) {
-        char part[256];
-        const size_t count = length - k < 255 ? length - k : 255;
-        memcpy(part, text + k, count);
-        part[count] = 0;
-        hm_say(t, "%s", part);
-    }
-}
-
 /* Says sentences of one line each in one line; a remedy of several is said once, behind the last of them. */
 static void say_in_one_line(hm_text *t, const char *lines)
 {
@@ -63,7 +51,7 @@ static void say_in_one_line(hm_text *t, const char *lines)
         next = line + length + (line[length] == '\n');
         const size_t own = remedy_of(line, length, &remedy);
         if (own && is_said_later(next, remedy, own)) length -= own + 2;
-        say_part(t, line, length);
+        hm_say_part(t, line, length);
         if (*next) hm_say(t, "; ");
     }
 }
@@ -102,7 +90,7 @@ int slave_hears(slave *s, int32_t result)
         for (const char *line = holonom_remarks(s->instance); *line;) {
             const size_t length = strcspn(line, "\n");
             hm_clear(&s->text);
-            say_part(&s->text, line, length);
+            hm_say_part(&s->text, line, length);
             slave_tell_text(s, ANSWER_WARNING);
             line += length + (line[length] == '\n');
         }

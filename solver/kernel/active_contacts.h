@@ -4,12 +4,6 @@
 #define HOLONOM_ACTIVE_CONTACTS_H
 
 #include "complementarity.h"
-#include "composite.h"
-#include "contact.h"
-#include "context.h"
-#include "half_step_contacts.h"
-#include "row_state.h"
-#include "step.h"
 
 enum {
     MOST_CHOICES = 60, /* solutions of a half step                                                                */
@@ -79,7 +73,7 @@ static int32_t guess_choice(context *c, int parity)
         const int32_t i = (int32_t)at[3];
         touch_of(c, i)->normal = at[1];
         c->s.mu[parity][row_of(c, m->contact_row[i])] = -at[1]; /* decides what dependent rows leave open */
-        if (at[1] > 0.0 && !is_closed(c, i)) close_at_zero(c, i);
+        if (at[1] > 0.0 && !is_closed(c, i)) close_contact_at(c, i, 0.0);
         else if (!(at[1] > 0.0) && is_closed(c, i)) open_contact(c, i);
     }
     return HOLONOM_OK;
@@ -106,7 +100,7 @@ static int contradicts(const context *c, int guessed)
 {
     double largest = 0.0;
     for (int32_t i = 0; i < c->m->n_contacts && guessed; i++) largest = fmax(largest, touch_of(c, i)->normal);
-    return largest > 0.0 && largest_normal_in_step(c) > BEYOND * largest;
+    return largest > 0.0 && largest_normal(c, c->k.mu) > BEYOND * largest;
 }
 
 static int n_near(const context *c)

@@ -2,18 +2,9 @@
 #ifndef HOLONOM_ADVANCE_H
 #define HOLONOM_ADVANCE_H
 
-#include "contact.h"
-#include "context.h"
 #include "control.h"
-#include "energy.h"
-#include "event.h"
 #include "fault.h"
-#include "inputs_signals.h"
-#include "ledger.h"
 #include "measure.h"
-#include "predict.h"
-#include "start.h"
-#include "tangent.h"
 
 /* No polynomial through means and values from before and after a jump. */
 static void start_anew(context *c)
@@ -177,7 +168,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */
-    memcpy(c.k.step_backup, head, sizeof(double) * (size_t)c.state_size);
+    keep_state(&c, c.k.step_backup);
     head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = head[S_AS_PAIRS] = 0.0;
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;
     const double start = head[S_TIME];
@@ -205,7 +196,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (status) {
         if (!c.at_fault) blame_hardest(&c);
         if (!c.at_fault) blame_worst(&c, status);
-        memcpy(head, c.k.step_backup, sizeof(double) * (size_t)c.state_size);
+        take_state(&c, c.k.step_backup);
         head[S_STATUS] = status;
         head[S_AT_FAULT] = c.at_fault;
         return status;

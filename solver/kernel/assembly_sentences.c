@@ -3,8 +3,6 @@
 
 #include "sentences.h"
 
-#include <string.h>
-
 static const double DRAWN = 1e-9;      /* largest residual of a drawn mechanism against the size of its row: the first step would turn
                                           a larger one into a jolt */
 static const double PRESCRIBED = 1e-6; /* largest relative error of a velocity that a formula prescribes: rates of signals are
@@ -137,11 +135,6 @@ static double length_of(const double *x)
 
 static int32_t n_moving(const drawing *d) { return d->m->n_free + d->m->n_driven; }
 
-static const double *place_of(const drawing *d, int32_t node)
-{
-    return node < n_moving(d) ? d->s->q + DIM * node : d->numbers + d->m->support_at + DIM * (node - n_moving(d));
-}
-
 static const double *velocity_of(const drawing *d, int32_t node)
 {
     static const double rest[DIM] = {0.0};
@@ -175,7 +168,7 @@ static double bound_of_rate(const drawing *d, int32_t form)
     double u[DIM] = {0.0}, w[DIM] = {0.0}, sum = 0.0;
     int alone = 1;
     for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {
-        const double *x = place_of(d, m->form_node[e]);
+        const double *x = hm_place_of_node(m, d->numbers, d->s->q, m->form_node[e]);
         for (int k = 0; k < DIM; k++) u[k] += alpha[e] * x[k], w[k] += beta[e] * x[k];
         alone &= beta[e] == 0.0 && !(turned && d->numbers[m->beta_turn_at + e] != 0.0);
     }
@@ -220,7 +213,8 @@ static int speeds_along(const drawing *d, int32_t row, double *speed)
     if (d->numbers[m->alpha_at + first] != -1.0 || d->numbers[m->alpha_at + second] != 1.0) return 0;
     const int32_t node[2] = {m->form_node[first], m->form_node[second]};
     double link[DIM], length;
-    for (int k = 0; k < DIM; k++) link[k] = place_of(d, node[1])[k] - place_of(d, node[0])[k];
+    const double *from = hm_place_of_node(m, d->numbers, d->s->q, node[0]), *to = hm_place_of_node(m, d->numbers, d->s->q, node[1]);
+    for (int k = 0; k < DIM; k++) link[k] = to[k] - from[k];
     length = length_of(link);
     for (int i = 0; i < 2; i++) {
         speed[i] = 0.0;

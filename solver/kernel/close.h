@@ -13,14 +13,9 @@
 #ifndef HOLONOM_CLOSE_H
 #define HOLONOM_CLOSE_H
 
-#include "body_turns.h"
-#include "composite.h"
-#include "context.h"
+#include "even_metric.h"
 #include "fault.h"
-#include "ledger.h"
 #include "put_back.h"
-#include "start.h"
-#include "tangent.h"
 
 enum { STAGES = 80, ROUNDS_OF_STAGE = 12, ROUNDS_OF_TRY = 200, TRIES = 20, TRIES_FOR_OTHERS = 6, MOST_LED = 2000 };
 
@@ -101,9 +96,6 @@ static void look_at_gaps(closing *x, double damping)
 static int is_closed_now(const closing *x) { return x->largest <= x->none; }
 
 /* ------------------------------------------------------------------------------------------------------ poses */
-
-static void keep_pose(const context *c, double *pose) { memcpy(pose, c->s.head, sizeof(double) * (size_t)c->state_size); }
-static void take_pose(const context *c, const double *pose) { memcpy(c->s.head, pose, sizeof(double) * (size_t)c->state_size); }
 
 /* How far the state is from a pose: the largest turn of a body, as the chord of its directors, or way of a point over the size of
    the mechanism. */
@@ -196,14 +188,14 @@ static int32_t approach(closing *x, int rounds)
             gather_momentum(at);
             EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = -at->k.phi[i];
             solve_factors(at);
-            keep_pose(at, before);
+            keep_state(at, before);
             move_by(at, at->k.rhs, allowed_part(at, at->k.rhs));
             look_at_gaps(x, damping *= 0.2);
             if (x->sum < sum) {
                 if (sum - x->sum > 1e-9 * sum || is_closed_now(x)) continue;
                 break; /* a minimum that is not zero */
             }
-            take_pose(at, before);
+            take_state(at, before);
         }
         look_at_gaps(x, damping *= 20.0);
         if (largest <= x->none) break; /* round-off */
@@ -219,11 +211,11 @@ static int follow_gaps(closing *x, int first, int last)
     double done = 0.0, length = 0.25, *stage = at->k.finest;
     for (int i = 0; i < STAGES * way && length * way >= SHORTEST_STAGE; i++) {
         const double end = fmin(1.0, done + length);
-        keep_pose(at, stage);
+        keep_state(at, stage);
         for (int k = first; k <= last; k++) x->aimed[k] = 1.0 - end;
         const int fails = approach(x, end < 1.0 ? ROUNDS_OF_STAGE : ROUNDS_OF_TRY) || !is_closed_now(x);
         if (fails || distance_from(at, stage) > FARTHEST_STAGE) {
-            take_pose(at, stage);
+            take_state(at, stage);
             length *= 0.5;
             continue;
         }
@@ -248,7 +240,7 @@ static void begin_closing(const context *c, closing *x)
 {
     double turned = 0.0;
     x->farthest = 0.0;
-    x->at = rows_at_state(c, 0.0);
+    x->at = rows_at_state(c);
     take_turns(&x->at, c->m->n_reduced_values > 0);
     x->drawn = c->k.row_bias;
     x->aimed[JOINTS] = x->aimed[DRIVERS] = x->aimed[TURN] = 0.0;
@@ -291,12 +283,12 @@ static int recurs(closing *x, const double *begun)
 {
     context *at = &x->at;
     double *now = at->k.pair_backup;
-    keep_pose(at, now);
-    take_pose(at, begun);
+    keep_state(at, now);
+    take_state(at, begun);
     memcpy(at->s.turns, now + (at->s.turns - at->s.head), sizeof(double) * (size_t)at->m->n_quantities);
     look_at_gaps(x, 0.0);
     if (is_closed_now(x)) return 1;
-    take_pose(at, now);
+    take_state(at, now);
     return 0;
 }
 
@@ -308,7 +300,7 @@ static void wind_row(closing *x, int32_t i)
     double *begun = at->k.step_backup, *turns = begun + (at->s.turns - at->s.head), *gap = x->drawn + i;
     double left = floor(fabs(*gap) / FULL_TURN + 0.5), led = 0.0;
     x->turn = *gap < 0.0 ? FULL_TURN : -FULL_TURN;
-    keep_pose(at, begun);
+    keep_state(at, begun);
     for (int turn = 0; turn < MOST_LED && left > 0.0; turn++) {
         x->turned = i;
         x->aimed[TURN] = 1.0;
@@ -323,15 +315,15 @@ static void wind_row(closing *x, int32_t i)
         *gap += skipped * led * x->turn;
         left -= skipped * led;
         led = 0.0;
-        keep_pose(at, begun);
+        keep_state(at, begun);
     }
     if (left == 0.0) return;
-    take_pose(at, begun);
+    take_state(at, begun);
     *gap += left * x->turn;
     add_turns(at, i, x->turn < 0.0 ? -(led + left) : led + left);
     look_at_gaps(x, 0.0);
     if (is_closed_now(x)) return;
-    take_pose(at, begun);
+    take_state(at, begun);
     *gap -= (led + left) * x->turn;
 }
 
@@ -339,9 +331,9 @@ static void wind_row(closing *x, int32_t i)
 HM_SELDOM static void wind(const context *c)
 {
     closing x;
-    keep_pose(c, c->k.whole_backup);
+    keep_state(c, c->k.whole_backup);
     begin_closing(c, &x);
-    take_pose(c, c->k.whole_backup); /* its bodies need not be rigid as drawn */
+    take_state(c, c->k.whole_backup); /* its bodies need not be rigid as drawn */
     x.aimed[JOINTS] = x.aimed[DRIVERS] = 1.0;
     for (int32_t i = 0; i < c->m->n_rows && x.sum < INFINITY; i++)
         if (fabs(x.drawn[i]) > 0.5 * FULL_TURN && is_driven_angle(c, i)) wind_row(&x, i);
@@ -376,23 +368,23 @@ static int try_shaken(closing *x, int known)
     double *drawn = at->k.step_backup, *taken = at->k.pair_backup, *best = at->k.whole_backup + at->state_size;
     double way = known ? distance_from(at, drawn) : INFINITY, other = INFINITY, sum = x->sum, size = FIRST_SHAKE;
     int tries = 0, found = known;
-    keep_pose(at, best);
+    keep_state(at, best);
     for (; tries < (known ? TRIES_FOR_OTHERS : TRIES); tries++, size = fmin(1.3 * size, LARGEST_SHAKE)) {
-        take_pose(at, drawn);
+        take_state(at, drawn);
         shake(x, size);
         if (approach(x, ROUNDS_OF_TRY)) continue;
         if (!is_closed_now(x)) {
-            if (x->sum < sum) sum = x->sum, keep_pose(at, best);
+            if (x->sum < sum) sum = x->sum, keep_state(at, best);
             continue;
         }
         const double own = distance_from(at, drawn);
         if (found && distance_from(at, taken) <= OTHER_POSE) continue;
         const int is_nearer = own < way && !known;
         other = fmin(other, is_nearer ? way : own);
-        if (is_nearer) keep_pose(at, taken), way = own;
+        if (is_nearer) keep_state(at, taken), way = own;
         found = 1;
     }
-    take_pose(at, found ? taken : best);
+    take_state(at, found ? taken : best);
     at->s.head[S_CLOSING_TRIES] = tries;
     at->s.head[S_CLOSING_OTHERS] = found && other < AS_NEAR * way && !can_move(x);
     return found;
@@ -404,21 +396,21 @@ HM_SELDOM static int32_t find_pose(context *c, int is_closed)
 {
     double *head = c->s.head, *drawn = c->k.step_backup, *taken = c->k.pair_backup;
     closing x;
-    keep_pose(c, taken);
-    take_pose(c, drawn);
+    keep_state(c, taken);
+    take_state(c, drawn);
     begin_closing(c, &x);
     if (!(x.sum < INFINITY)) return HOLONOM_NOT_FINITE;
     int how = CLOSING_AT_ONCE;
-    if (is_closed) take_pose(c, taken);
+    if (is_closed) take_state(c, taken);
     for (int first = c->m->n_signals ? DRIVERS : JOINTS; first >= JOINTS && !is_closed; first--) {
-        take_pose(c, drawn);
+        take_state(c, drawn);
         how = CLOSING_ON_PATH;
         x.aimed[DRIVERS] = 1.0;
         if (first == DRIVERS && (lead_gaps(&x, JOINTS, JOINTS, &how) || !is_closed_now(&x))) continue;
         const int32_t status = lead_gaps(&x, first, DRIVERS, &how);
         if (status) return status;
         is_closed = is_closed_now(&x);
-        if (is_closed) keep_pose(c, taken);
+        if (is_closed) keep_state(c, taken);
     }
     x.aimed[JOINTS] = x.aimed[DRIVERS] = 0.0;
     const int found = try_shaken(&x, is_closed);
@@ -426,40 +418,14 @@ HM_SELDOM static int32_t find_pose(context *c, int is_closed)
     return found ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
-/* Multiplies masses of free nodes by squares of `factor`, or divides them. */
-static void scale_masses(const context *c, const double *factor, int back)
-{
-    const holonom_model *m = c->m;
-    double *mass = c->number + m->mass_at, *share = c->number + m->node_mass_at;
-    for (int32_t e = 0; e < m->n_mass; e++)
-        for (int side = 0; side < 2; side++) {
-            const int32_t a = m->mass_node[2 * e + side];
-            if (a < m->n_free) mass[e] *= back ? 1.0 / factor[a] : factor[a];
-        }
-    for (int32_t a = 0; a < m->n_free; a++) share[a] *= back ? 1.0 / hm_square(factor[a]) : hm_square(factor[a]);
-}
-
-/* Searches once more, with masses that differ by less than a factor of 4: beside heavy parts light ones would do all of the moving, and
-   rounds that follow a curved way get ever shorter. Factors are powers of 2, which leave no round-off in the masses. */
+/* Searches once more in an even metric: else rounds that follow a curved way get ever shorter. */
 HM_SELDOM static int32_t find_pose_of_even_masses(context *c)
 {
-    const holonom_model *m = c->m;
-    const double extent = c->number[m->extent_at];
-    double *factor = c->k.estimate, points = 0.0;
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double wanted = (m->node_kind[a] ? extent : 1.0) / sqrt(c->number[m->node_mass_at + a]);
-        for (factor[a] = 1.0; factor[a] < wanted;) factor[a] *= 2.0;
-        while (factor[a] > wanted) factor[a] *= 0.5;
-        points += m->node_kind[a] ? 0.0 : 1.0;
-    }
-    scale_masses(c, factor, 0);
-    take_pose(c, c->k.step_backup);
+    take_state(c, c->k.step_backup);
     stand_still(c);
-    int32_t status = derive_scales(c);
-    c->number[m->extent_at + 1] = extent * sqrt(fmax(points, 1.0));
+    int32_t status = take_even_metric(c);
     if (!status) status = find_pose(c, 0);
-    scale_masses(c, factor, 1);
-    memcpy(c->number + m->extent_at, c->s.derived, derived_bytes(m));
+    leave_even_metric(c);
     return status;
 }
 

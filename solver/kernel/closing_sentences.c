@@ -5,8 +5,6 @@
 #include "sentences.h"
 #include "vectors.h"
 
-#include <string.h>
-
 enum { MOST_TOLD = 5 };
 static const double TENTH = 0.1;      /* of the size of the mechanism, or of a full turn */
 static const double ROUND_OFF = 1e-9; /* of a way over that size, and of a turn */
@@ -19,13 +17,6 @@ typedef struct move {
     double way, turn;
 } move;
 
-static double place_of_node(const hm_model_file *f, const double *numbers, const double *q, int32_t node, int k)
-{
-    const holonom_model *m = &f->model;
-    const int32_t n_moving = m->n_free + m->n_driven;
-    return node < n_moving ? q[DIM * node + k] : numbers[m->support_at + DIM * (node - n_moving) + k];
-}
-
 /* Component k of measured place j, the end of a link, at coordinates q. */
 static double measured_place(const hm_model_file *f, const double *numbers, const double *q, int32_t j, int k)
 {
@@ -33,9 +24,9 @@ static double measured_place(const hm_model_file *f, const double *numbers, cons
     const int32_t form = m->place_form[j];
     double sum = 0.0;
     for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {
-        sum += numbers[m->alpha_at + e] * place_of_node(f, numbers, q, m->form_node[e], k);
-        if (DIM == 2 && m->form_kind[form] & FORM_TURNED)
-            sum += numbers[m->alpha_turn_at + e] * (k ? 1.0 : -1.0) * place_of_node(f, numbers, q, m->form_node[e], 1 - k);
+        const double *place = hm_place_of_node(m, numbers, q, m->form_node[e]);
+        sum += numbers[m->alpha_at + e] * place[k];
+        if (DIM == 2 && m->form_kind[form] & FORM_TURNED) sum += numbers[m->alpha_turn_at + e] * (k ? 1.0 : -1.0) * place[1 - k];
     }
     return sum;
 }
@@ -57,11 +48,9 @@ static double turned_angle(const double *now, const double *drawn, int32_t a)
 static double turn_of(const hm_model_file *f, const double *numbers, const hm_state *s, const char *name, int length)
 {
     const holonom_model *m = &f->model;
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) { /* the first of a body has its first director */
-        const char *title = f->text + f->row[i].name + sizeof "body '" - 1;
-        if (!strncmp(title, name, (size_t)length) && title[length] == '\'')
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) /* the first of a body has its first director */
+        if (hm_is_of_body(f, i, name, (size_t)length))
             return turned_angle(s->q, numbers + m->initial_position_at, m->form_node[m->form_ptr[m->row_form[i]]]);
-    }
     return 0.0;
 }
 
@@ -94,13 +83,6 @@ static double farness(const hm_model_file *f, const double *numbers, const move 
     return fmax(x->way / numbers[f->model.extent_at], fabs(x->turn) / turn) / TENTH;
 }
 
-static void say_name(hm_text *text, const move *x)
-{
-    const size_t begin = text->used;
-    hm_say(text, "%s", x->name);
-    if (text->used > begin + (size_t)x->length) hm_take_back(text, begin + (size_t)x->length);
-}
-
 /* Says which parts moved far, the farthest first; returns how many. */
 static int say_moves(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s)
 {
@@ -121,7 +103,7 @@ static int say_moves(hm_text *text, const hm_model_file *f, const double *number
             if (far > most && (far < last || (far == last && k > last_variable))) most = far, at = k, next = x;
         }
         hm_say(text, "%s", told ? ", " : "closing the mechanism moved ");
-        say_name(text, &next);
+        hm_say_part(text, next.name, (size_t)next.length);
         const int goes = next.way > ROUND_OFF * numbers[f->model.extent_at], turns = fabs(next.turn) > ROUND_OFF;
         if (goes) hm_say(text, " by %3g m", next.way);
         if (turns) hm_say(text, " %s %3g rad", goes ? "and" : "by", next.turn);

@@ -6,11 +6,7 @@
 #ifndef HOLONOM_COMPLEMENTARITY_H
 #define HOLONOM_COMPLEMENTARITY_H
 
-#include "contact.h"
-#include "context.h"
-#include "event.h"
 #include "half_step_contacts.h"
-#include "row_state.h"
 
 #define ROUND_OFF 1e-15  /* of a coordinate, over the size of the mechanism                                         */
 #define CONE_MARGIN 1e-9 /* part of the cone, or of a slip, beyond its limit at which a mode is kept             */
@@ -51,7 +47,7 @@ static int32_t close_crossed(context *c, int all, objections *x)
         status = gap_at_end(c, i, &gap);
         if (!(gap < -none)) continue;
         touch_of(c, i)->is_near = 1.0;
-        if (add_objection(c, x, i)) close_at_zero(c, i);
+        if (add_objection(c, x, i)) close_contact_at(c, i, 0.0);
     }
     return status;
 }
@@ -66,18 +62,16 @@ static double noise_of_normal(const context *c, int32_t i)
 /* Opens closed contacts that would pull. One whose friction sticks slides first: its friction may be what pulls. */
 static void open_pulling(context *c, objections *x)
 {
-    const double none = NO_FORCE * largest_normal_in_step(c);
+    const double none = NO_FORCE * largest_normal(c, c->k.mu);
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t f = c->m->contact_friction[i];
-        double along[3], size2 = 0.0;
+        double along[3];
         if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i)) || !add_objection(c, x, i)) continue;
         const int jams = f >= 0 && friction_mode(c, f) == FRICTION_STICKS && c->k.flips[f] < 2.0;
-        for (int k = 0; jams && k < n_slips(c, f); k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
-        if (!(size2 > 0.0)) {
+        if (!jams || !(friction_force(c, f, c->k.mu, along) > 0.0)) {
             open_contact(c, i);
             continue;
         }
-        for (int k = 0; k < n_slips(c, f); k++) along[k] /= sqrt(size2);
         c->k.flips[f] = 2.0;
         forget_stop(c, f);
         let_slide(c, f, along);
@@ -88,18 +82,17 @@ static void open_pulling(context *c, objections *x)
    the slip of joints, too: one that then goes on until the end does not stop before. */
 static void change_frictions(context *c, objections *x)
 {
-    const double none = NO_FORCE * largest_normal_in_step(c), still = 1e-3 * speed_tolerance(c);
+    const double none = NO_FORCE * largest_normal(c, c->k.mu), still = 1e-3 * speed_tolerance(c);
     int lands = 0;
     for (int32_t i = 0; i < c->m->n_contacts; i++) lands |= is_landing(c, i);
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        const int mode = friction_mode(c, f), n = n_slips(c, f);
-        double along[3], size2 = 0.0;
+        const int mode = friction_mode(c, f);
+        double along[3];
         if (mode == FRICTION_OFF || is_smooth(c, f)) continue;
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_in_cone(c, f, c->k.mu));
-            for (int k = 0; k < n; k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
-            if (!(sqrt(size2) > limit + CONE_MARGIN * fabs(limit) + none) || !add_objection(c, x, c->m->n_contacts + f)) continue;
-            for (int k = 0; k < n; k++) along[k] /= sqrt(size2);
+            const double force = friction_force(c, f, c->k.mu, along);
+            if (!(force > limit + CONE_MARGIN * fabs(limit) + none) || !add_objection(c, x, c->m->n_contacts + f)) continue;
             forget_stop(c, f);
             let_slide(c, f, along);
         } else {

@@ -8,7 +8,6 @@
 #define HOLONOM_COMPOSITE_H
 
 #include "body_turns.h"
-#include "context.h"
 #include "forms.h"
 
 /* A form of the composite at hand, in the scratch `local`. */
@@ -135,6 +134,14 @@ static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_
     }
     for (int i = 0; point && i < (kind == QUANTITY_ANGLE ? 4 : 1); i++) leaf->curve[i] *= 2.0; /* both ends move */
     return status;
+}
+
+/* Momentum += factor times the slopes of composite j at hand. */
+HM_OFTEN void add_slopes(const context *c, int32_t j, double factor)
+{
+    const local_form *local = (const local_form *)c->k.local;
+    for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1]; at++, f++)
+        add_gradient(c, c->m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
 }
 
 /* Places of the composite's free entries, form by form, among its nodes. */

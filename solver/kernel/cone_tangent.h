@@ -2,8 +2,6 @@
 #ifndef HOLONOM_CONE_TANGENT_H
 #define HOLONOM_CONE_TANGENT_H
 
-#include "composite.h"
-#include "context.h"
 #include "function.h"
 #include "row_state.h"
 

@@ -8,11 +8,6 @@
 #ifndef HOLONOM_CONTACT_H
 #define HOLONOM_CONTACT_H
 
-#include "context.h"
-#include "energy.h"
-#include "inputs_signals.h"
-#include "norms.h"
-#include "row_state.h"
 #include "start.h"
 
 /* What counts as zero, relative to the scale named. */
@@ -41,7 +36,7 @@ HM_SELDOM static double growth_tolerance(const context *c)
 HM_SELDOM static double gap_tolerance(const context *c) { return TOUCHING * c->number[c->m->extent_at]; }
 
 /* Gap of contact i at the state. Its quantities, as those of the rates below, are evaluated before. */
-static double gap_of(const context *c, int32_t i) { return value_at_state(c, c->m->contact_row[i]); }
+static double gap_of(const context *c, int32_t i) { return value_of_function(c, c->m->contact_row[i], 0); }
 
 /* Rate of a function row, value of a velocity row at the state. */
 static double rate_of_row(const context *c, int32_t j)
@@ -63,13 +58,12 @@ HM_SELDOM static double second_rate_of_row(const context *c, int32_t j)
 /* Normal force of contact i at the state, after evaluate_forces. */
 static double normal_of(const context *c, int32_t i) { return -c->k.event_mu[row_of(c, c->m->contact_row[i])]; }
 
-/* Size of the multipliers of friction f, and those over it as a direction if wanted. */
-static double friction_force(const context *c, int32_t f, double *along)
+/* Size of those of the multipliers mu that are of friction f, and these over it as a direction if wanted. */
+static double friction_force(const context *c, int32_t f, const double *mu, double *along)
 {
     double size2 = 0.0;
-    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(c->k.event_mu[row_of(c, slip_row(c, f, k))]);
-    for (int k = 0; k < n_slips(c, f) && along; k++)
-        along[k] = size2 > 0.0 ? c->k.event_mu[row_of(c, slip_row(c, f, k))] / sqrt(size2) : 0.0;
+    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(mu[row_of(c, slip_row(c, f, k))]);
+    for (int k = 0; k < n_slips(c, f) && along; k++) along[k] = size2 > 0.0 ? mu[row_of(c, slip_row(c, f, k))] / sqrt(size2) : 0.0;
     return sqrt(size2);
 }
 
@@ -159,14 +153,20 @@ HM_SELDOM static void open_all(const context *c)
     for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
 }
 
-/* Closes contact i at the gap that it has. */
-HM_SELDOM static void close_contact(context *c, int32_t i)
+/* Closes contact i at this gap. */
+HM_SELDOM static void close_contact_at(context *c, int32_t i, double gap)
 {
     const int32_t f = c->m->contact_friction[i];
     double *x = contact_of(c, i);
-    if (x[C_CLOSED] == 0.0) x[C_REFERENCE] = gap_of(c, i);
     x[C_CLOSED] = 1.0;
+    x[C_REFERENCE] = gap;
     if (f >= 0) guess_friction(c, f);
+}
+
+/* Closes contact i at the gap that it has. */
+HM_SELDOM static void close_contact(context *c, int32_t i)
+{
+    close_contact_at(c, i, is_closed(c, i) ? contact_of(c, i)[C_REFERENCE] : gap_of(c, i));
 }
 
 /* Opens the closed contact that pulls most; 0 if none does. */
@@ -190,11 +190,11 @@ HM_SELDOM static int slide_worst(context *c, double none)
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         if (friction_mode(c, f) != FRICTION_STICKS) continue;
         const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
-        const double excess = friction_force(c, f, NULL) - limit - 1e-10 * fabs(limit);
+        const double excess = friction_force(c, f, c->k.event_mu, NULL) - limit - 1e-10 * fabs(limit);
         if (excess > most) most = excess, worst = f;
     }
     if (worst < 0) return 0;
-    friction_force(c, worst, along);
+    friction_force(c, worst, c->k.event_mu, along);
     let_slide(c, worst, along);
     blame(c, slip_row(c, worst, 0));
     return 1;
@@ -270,11 +270,11 @@ HM_SELDOM static int close_worst(context *c)
     return 1;
 }
 
-HM_SELDOM static double largest_normal(const context *c)
+HM_SELDOM static double largest_normal(const context *c, const double *mu)
 {
     double largest = 0.0;
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (is_closed(c, i)) largest = fmax(largest, fabs(normal_of(c, i)));
+        if (is_closed(c, i)) largest = fmax(largest, fabs(mu[row_of(c, c->m->contact_row[i])]));
     return largest;
 }
 
@@ -283,7 +283,7 @@ HM_SELDOM static double largest_normal(const context *c)
 HM_SELDOM static double force_tolerance(const context *c)
 {
     const double extent = c->number[c->m->extent_at];
-    return NO_FORCE * fmax(largest_normal(c), c->s.head[S_ENERGY_REFERENCE] / fmax(extent, 1.0));
+    return NO_FORCE * fmax(largest_normal(c, c->k.event_mu), c->s.head[S_ENERGY_REFERENCE] / fmax(extent, 1.0));
 }
 
 /* First guess of the modes at the present state: contacts that touch without approaching are closed, unless `parted` says

@@ -5,13 +5,7 @@
 #ifndef HOLONOM_CONTACT_MODES_H
 #define HOLONOM_CONTACT_MODES_H
 
-#include "contact.h"
-#include "context.h"
 #include "impact.h"
-#include "impact_law.h"
-#include "impact_rows.h"
-#include "row_state.h"
-#include "start.h"
 
 /* Momentum += factor times the gradient of contact i's gap, with the friction that a normal force of 1 brings about while
    it slides.                                                                                                   */

@@ -5,17 +5,8 @@
 #ifndef HOLONOM_CONTROL_H
 #define HOLONOM_CONTROL_H
 
-#include "context.h"
-#include "energy.h"
 #include "estimate.h"
-#include "event.h"
-#include "extrapolation.h"
-#include "norms.h"
-#include "predict.h"
-#include "put_back.h"
-#include "step_halving.h"
 #include "stepped.h"
-#include "velocity_projection.h"
 
 enum { MAX_REPEATS = 40 };
 #define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */
@@ -62,7 +53,7 @@ static double length_for(const context *c, const method *x, const step_error *e)
 {
     const int is_explicit = x->way == EXPLICIT;
     const double rate = is_explicit ? e->free : e->rate;
-    const double may = SAFETY * tolerated(c) / (margin(c) * x->mean * rate * c->s.head[S_HORIZON]);
+    const double may = SAFETY * tolerated(c) / (c->growth * x->mean * rate * c->s.head[S_HORIZON]);
     const double h = fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
     if (is_explicit) return fmin(h, fmin(c->longest_put_back, longest_now(c, x->order) / STRETCHED));
     return c->way == EXPLICIT ? fmin(h, LITTLE_TURN / hm_hypot(rate, fastest_turn(c))) : h;
@@ -151,7 +142,7 @@ static int judge_step(context *c, double h, double step)
     if (!judged && across <= REJECTED) return 0;
     if (judged) share = e.mean * head[S_HORIZON] / (h * tolerated(c));
     if (judged && e.is_noise) share = fmin(share, SAFETY);
-    share = fmax(share, across);
+    share = fmax(fmax(share, e.settled / tolerated(c)), across);
     /* Where a mechanism almost stands, little energy is much velocity. */
     if (c->way != COMPOSED && !c->unweighted && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));

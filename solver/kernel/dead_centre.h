@@ -4,8 +4,6 @@
 #define HOLONOM_DEAD_CENTRE_H
 
 #include "even_metric.h"
-#include "norms.h"
-#include "start.h"
 
 #define LACKING 1e-6    /* part of the second derivatives of rows that no accelerations make up for */
 #define ROUNDED 1e-10  /* of the accelerations: what rounding leaves of these derivatives */
@@ -23,22 +21,21 @@ static double rows_bend(const context *c, const double *bias, double *x)
 HM_SELDOM static int32_t refuse_dead_centre(context *c)
 {
     double *x = c->k.free, *bias = c->k.row_bias, last = INFINITY;
-    even_metric metric;
     stand_still(c);
     row_biases(c);
     memcpy(x, c->s.a[0], sizeof(double) * (size_t)(DIM * c->n_moving));
     const double allowed = LACKING * largest_row(c, bias) + ROUNDED * fastest_rate(c, x);
     double lacking = rows_bend(c, bias, x);
     if (!(lacking > allowed)) return HOLONOM_OK;
-    int32_t status = take_even_metric(c, &metric);
+    int32_t status = take_even_metric(c);
     for (int i = 0; i < 8 && !status && lacking > allowed && lacking < 0.9 * last; i++) {
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-        if ((status = solve_at_state(c, metric.weight))) break;
+        if ((status = solve_at_state(c, NULL))) break;
         add_solution(c, x);
         last = lacking;
         lacking = rows_bend(c, bias, x);
     }
-    leave_even_metric(c, &metric);
+    leave_even_metric(c);
     return status ? status : lacking > allowed ? HOLONOM_AT_DEAD_CENTRE : HOLONOM_OK;
 }
 

@@ -2,11 +2,6 @@
 #ifndef HOLONOM_ENERGY_H
 #define HOLONOM_ENERGY_H
 
-#include "composite.h"
-#include "context.h"
-#include "forms.h"
-#include "function.h"
-#include "row_state.h"
 #include "step.h"
 
 /* Energy of springs and potentials of the islands at hand. */

@@ -6,19 +6,12 @@
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
-#include "body_turns.h"
-#include "composite.h"
-#include "context.h"
-#include "energy.h"
-#include "forms.h"
-#include "norms.h"
-#include "row_state.h"
 #include "step_halving.h"
 
-/* Times the mean over mechanisms, where something touches or slides: an impact, and a slip that stops, multiply errors before it. */
-#define CONTACT_MARGIN 4.0
-/* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings; of what has settled it is 1. */
+/* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings, and of what strong dampers
+   settle, which no cover resolves. */
 #define FALL 4.6
+#define SETTLING 50.0
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of the step before: a force has jumped
@@ -50,6 +43,7 @@ typedef struct step_error {
     double rate;  /* omega [1/s]                                                            */
     double free;  /* likewise of what rows leave free                                       */
     double mean;  /* error, relative to size and speed                                      */
+    double settled; /* likewise of what strong dampers settle: it is gone with the step, and does not add up  */
     int is_noise; /* whether round-off of velocities is all that the difference shows       */
 } step_error;
 
@@ -61,9 +55,6 @@ static const method *method_of(int order, int is_explicit)
         if (x->order == order && (x->way != EXPLICIT || is_explicit)) found = x;
     return found;
 }
-
-/* Multiple of the mean over mechanisms that an error is taken for; what flies may enlarge it later. */
-static double margin(const context *c) { return c->growth * (is_unilateral(c->m) ? CONTACT_MARGIN : 1.0); }
 
 /* The difference for a pair: from the rate of change of the mean acceleration of pairs; 0 where nothing tells it yet. */
 static int difference_of_pairs(const context *c, double h, double *difference)
@@ -120,11 +111,13 @@ static int estimate_error(const context *c, double h, step_error *e)
     const int is_settled = has_strong_dampers(c);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
         const double before = relative_size(c, mass_norm(c, x + 2 * n), mass_norm(c, x + 3 * n));
-        e->mean = fmax(e->mean, (is_settled ? 1.0 : FALL) * difference * difference / hm_hypot(difference, before));
+        const double next = difference * difference / hm_hypot(difference, before);
+        if (is_settled) e->settled = SETTLING * next;
+        else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
     else if (order == 4 && e->rate > SUDDEN * c->s.head[S_LAST_RATE]) e->mean = fmax(e->mean, AT_A_JUMP * difference);
-    e->mean *= margin(c);
+    e->mean *= c->growth;
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;
 }
@@ -141,12 +134,7 @@ static int estimate_error(const context *c, double h, step_error *e)
 HM_SELDOM static double velocity_defect(context *c, double h)
 {
     const holonom_model *m = c->m;
-    const double extent = c->number[m->extent_at];
-    double fastest = speed_scale(c) / c->number[m->extent_at + 1];
-    for (int32_t a = 0; a < c->n_moving; a++) {
-        const double *v = c->s.v + DIM * a, size = m->node_kind[a] ? 1.0 : extent;
-        fastest = fmax(fastest, sqrt(dot(v, v)) / size);
-    }
+    const double fastest = fmax(speed_scale(c) / c->number[m->extent_at + 1], fastest_rate(c, c->s.v));
     if (!(fastest > 0.0)) return 0.0;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);

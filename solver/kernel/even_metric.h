@@ -1,46 +1,46 @@
-/* A metric in which all points weigh the same, and all directors: rows have compliances by their largest term (row_sigma), so that
-   beside very light parts those between heavy ones would hardly be seen. */
+/* A metric in which all points weigh nearly the same, and all directors: beside heavy parts light ones would do all of the moving, and
+   rows have compliances by their largest term (row_sigma), so that those between heavy parts would hardly be seen. Factors of masses
+   are squares of powers of 2, which leave no round-off in them. */
 #ifndef HOLONOM_EVEN_METRIC_H
 #define HOLONOM_EVEN_METRIC_H
 
-#include "context.h"
 #include "start.h"
 
-/* Largest angular velocity among those of the nodes, and speed over the size of the mechanism [1/s]; likewise of accelerations. */
-static double fastest_rate(const context *c, const double *v)
-{
-    double fastest = 0.0;
-    for (int32_t a = 0; a < c->n_moving; a++) {
-        const double speed = sqrt(dot(v + DIM * a, v + DIM * a));
-        fastest = fmax(fastest, c->m->node_kind[a] ? speed : speed / c->number[c->m->extent_at]);
-    }
-    return fastest;
-}
-
-typedef struct even_metric {
-    double *weight, *mass, *sigma; /* of free nodes, over their masses; masses and row_sigma as they were */
-} even_metric;
-
-/* Gives nodes even masses, of norms alone: solve_at_state takes `weight`. */
-HM_SELDOM static int32_t take_even_metric(context *c, even_metric *x)
+/* Multiplies masses of free nodes by squares of `factor`, or divides them. */
+static void scale_masses(const context *c, const double *factor, int back)
 {
     const holonom_model *m = c->m;
-    double *mass = c->number + m->node_mass_at;
-    *x = (even_metric){c->k.estimate, c->k.estimate + m->n_free, c->k.moved};
-    memcpy(x->mass, mass, sizeof(double) * (size_t)c->n_moving);
-    memcpy(x->sigma, c->number + m->row_sigma_at, sizeof(double) * (size_t)m->n_rows);
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double even = m->node_kind[a] ? hm_square(c->number[m->extent_at]) : 1.0;
-        x->weight[a] = even / mass[a];
-        mass[a] = even;
-    }
-    return derive_scales(c);
+    double *mass = c->number + m->mass_at, *share = c->number + m->node_mass_at;
+    for (int32_t e = 0; e < m->n_mass; e++)
+        for (int side = 0; side < 2; side++) {
+            const int32_t a = m->mass_node[2 * e + side];
+            if (a < m->n_free) mass[e] *= back ? 1.0 / factor[a] : factor[a];
+        }
+    for (int32_t a = 0; a < m->n_free; a++) share[a] *= back ? 1.0 / hm_square(factor[a]) : hm_square(factor[a]);
 }
 
-HM_SELDOM static void leave_even_metric(const context *c, const even_metric *x)
+/* Lets masses differ by less than a factor of 4. Links are those at the state. */
+HM_SELDOM static int32_t take_even_metric(context *c)
 {
-    memcpy(c->number + c->m->node_mass_at, x->mass, sizeof(double) * (size_t)c->n_moving);
-    memcpy(c->number + c->m->row_sigma_at, x->sigma, sizeof(double) * (size_t)c->m->n_rows);
+    const holonom_model *m = c->m;
+    const double extent = c->number[m->extent_at];
+    double *factor = c->k.estimate, points = 0.0;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        const double wanted = (m->node_kind[a] ? extent : 1.0) / sqrt(c->number[m->node_mass_at + a]);
+        for (factor[a] = 1.0; factor[a] < wanted;) factor[a] *= 2.0;
+        while (factor[a] > wanted) factor[a] *= 0.5;
+        points += m->node_kind[a] ? 0.0 : 1.0;
+    }
+    scale_masses(c, factor, 0);
+    const int32_t status = derive_scales(c);
+    c->number[m->extent_at + 1] = extent * sqrt(fmax(points, 1.0));
+    return status;
+}
+
+HM_SELDOM static void leave_even_metric(const context *c)
+{
+    scale_masses(c, c->k.estimate, 1);
+    memcpy(c->number + c->m->extent_at, c->s.derived, derived_bytes(c->m));
 }
 
 #endif

@@ -6,13 +6,8 @@
 #ifndef HOLONOM_EVENT_H
 #define HOLONOM_EVENT_H
 
-#include "contact.h"
 #include "contact_modes.h"
-#include "context.h"
-#include "impact.h"
 #include "short_piece.h"
-#include "step_halving.h"
-#include "velocity_projection.h"
 
 /* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
 typedef struct event_values {
@@ -30,11 +25,17 @@ static inline void copy_values(const context *c, event_values from, event_values
     memcpy(to.value, from.value, sizeof(double) * (size_t)(2 * (c->m->n_contacts + c->m->n_frictions)));
 }
 
-/* Whether a contact or friction is on, so that its function needs forces. */
-static int has_forces(const context *c)
+static int has_closed(const context *c)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_closed(c, i)) return 1;
+    return 0;
+}
+
+/* Whether a contact or friction is on, so that its function needs forces. */
+static int has_forces(const context *c)
+{
+    if (has_closed(c)) return 1;
     for (int32_t f = 0; f < c->m->n_frictions; f++)
         if (friction_mode(c, f) != FRICTION_OFF && !is_smooth(c, f)) return 1;
     return 0;
@@ -61,7 +62,7 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions && !status; f++, k++) {
         const int mode = friction_mode(c, f);
         x.value[k] = INFINITY, x.rate[k] = NAN;
-        if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, NULL);
+        if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, c->k.event_mu, NULL);
         if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
     }
     return status;
@@ -114,7 +115,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
         x.value[k] = INFINITY, x.rate[k] = NAN;
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
-            x.value[k] = limit - friction_force(c, f, NULL);
+            x.value[k] = limit - friction_force(c, f, c->k.event_mu, NULL);
             if (!(x.value[k] > SAFE_FRICTION * limit)) return 0;
         } else if (mode == FRICTION_SLIDES && !is_smooth(c, f)) {
             x.value[k] = slip_along(c, f);
@@ -185,18 +186,6 @@ HM_SELDOM static double root_between(const context *c, int32_t k, double h, even
 static int32_t step_piece(context *c, double h)
 {
     return is_short(c, h) ? short_piece(c, h) : step_halving(c, h, UNDIVIDED);
-}
-
-/* Goes back to the state `backup` of time t, with laws of law_time. What the step has cost stays counted. */
-HM_SELDOM static void restore_state(context *c, const double *backup, double t, double law_time)
-{
-    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS], as_pairs = c->s.head[S_AS_PAIRS];
-    memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size);
-    if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0);
-    c->t = t;
-    c->s.head[S_NEWTON_ITERATIONS] = newton;
-    c->s.head[S_UZAWA_ITERATIONS] = uzawa;
-    c->s.head[S_AS_PAIRS] = as_pairs;
 }
 
 /* State at the start of the piece at hand. */
@@ -276,7 +265,7 @@ HM_SELDOM static int32_t change_modes(context *c)
             if (status) return status;
             continue;
         }
-        friction_force(c, f, along);
+        friction_force(c, f, c->k.event_mu, along);
         let_slide(c, f, along);
     }
     return HOLONOM_OK;

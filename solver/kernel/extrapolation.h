@@ -9,17 +9,8 @@
 #ifndef HOLONOM_EXTRAPOLATION_H
 #define HOLONOM_EXTRAPOLATION_H
 
-#include "context.h"
-#include "energy.h"
 #include "half_step.h"
-#include "inputs_signals.h"
-#include "ledger.h"
-#include "norms.h"
-#include "predict.h"
 #include "put_back.h"
-#include "rigid.h"
-#include "start.h"
-#include "tangent.h"
 
 #define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 
@@ -93,13 +84,13 @@ static int32_t take_weighted(context *c, const double *booked)
         gained += i == 0 ? booked[i] : -booked[i];
     }
     gain_together(c, gained);
-    suspend_sliding(c, 1); /* no friction answers the corrections */
-    context at = rows_at_state(c, 0.0);
+    suspend_sliding(c, NULL, 1); /* no friction answers the corrections */
+    context at = rows_at_state(c);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
     int unused;
     if (!status) status = put_back(c, &at, &unused);
-    suspend_sliding(c, 0);
+    suspend_sliding(c, NULL, 0);
     follow_turns(c);
     return status;
 }
@@ -132,15 +123,14 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
 HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
 {
     const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;
-    const size_t bytes = sizeof(double) * (size_t)c->state_size;
     double booked[N_WEIGHTED] = {0.0}; /* weighted changes in the ledger */
     keep_motion(c, h);
     c->growth = 1.0;
     c->balanced = 0.0;
-    memcpy(c->k.pair_backup, c->s.head, bytes);
+    keep_state(c, c->k.pair_backup);
     int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), booked);
     if (status) return status;
-    memcpy(c->k.finest, c->s.head, bytes);
+    keep_state(c, c->k.finest);
     c->way = COVERED;
     c->unweighted = 0;
     status = is_judged ? HOLONOM_OK : take_weighted(c, booked);
@@ -150,7 +140,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
         c->s.head[S_LAST_LENGTH] = 0.5 * h;
     } else if (c->s.head[S_TOLERANCE] > 0.0 && status != HOLONOM_DAMPING_REVERSED)
         return status;
-    memcpy(c->s.head, c->k.finest, bytes);
+    take_state(c, c->k.finest);
     c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;
     c->unweighted = covers;
     return HOLONOM_OK;

@@ -2,8 +2,6 @@
 #ifndef HOLONOM_FAULT_H
 #define HOLONOM_FAULT_H
 
-#include "composite.h"
-#include "context.h"
 #include "inputs_signals.h"
 
 /* Whether x is larger than the largest so far, or no number: nothing is larger than that. */

@@ -2,9 +2,7 @@
 #ifndef HOLONOM_FLIGHT_H
 #define HOLONOM_FLIGHT_H
 
-#include "context.h"
 #include "kept_motion.h"
-#include "rigid.h"
 
 #define LARGEST_TURN_BACK 0.1 /* rad */
 

@@ -2,11 +2,7 @@
 #ifndef HOLONOM_FORCE_RATES_H
 #define HOLONOM_FORCE_RATES_H
 
-#include "context.h"
-#include "norms.h"
 #include "put_back.h"
-#include "start.h"
-#include "tangent.h"
 
 /* Turn of a spring's motion, and way of a damper's, over its time constant, in an explicit step. The method is stable to 5.8
    and 6.4 (Hairer, Norsett and Wanner 1993, II.10); springs that move so far shorten steps by their errors first.
@@ -77,11 +73,7 @@ static int32_t add_forces_of_potentials(const context *at, const double *x)
             const double along = (bend_along(at, j, l, s) - bend_along(at, j, l, -s)) / (4.0 * s);
             const int32_t status = set_leaf(at, entry, 0, &leaf);
             if (status) return status;
-            for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
-                const local_form *local = (const local_form *)at->k.local + entry[2 + i];
-                add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]], AT_STATE * along * leaf.p[i], local->um,
-                             local->wm, at->k.momentum);
-            }
+            add_leaf_force(at, j, entry, &leaf, AT_STATE * along);
         }
     }
     return HOLONOM_OK;
@@ -115,7 +107,7 @@ static double largest_rate(const context *at, int64_t coefficient_at, int with_p
 /* How fast springs answer to the velocities [1/s]: they may be about to swing while no acceleration tells it yet. */
 HM_SELDOM static double rate_of_springs(const context *c)
 {
-    context at = rows_at_state(c, 0.0);
+    context at = rows_at_state(c);
     const double speed = mass_norm(c, c->s.v);
     take_unknowns(&at);
     if (!(speed > 0.0) || factorise_here(&at)) return 0.0;

@@ -167,14 +167,6 @@ static double compliance_over_sigma(const context *c)
     return c->h * c->h / (2.0 * (c->s.head[S_PENALTY] * raised));
 }
 
-/* Row i at the end of the step, Phi_1, and the links U, W of its gradient alpha W + beta U. */
-HM_OFTEN double row_function(const context *c, int32_t i, const motion *g, double *u, double *w)
-{
-    EACH(k) u[k] = g->u0[k] + g->du[k];
-    EACH(k) w[k] = g->w0[k] + g->dw[k];
-    return c->k.phi0[i] + g->ds;
-}
-
 /* Coincidence j at the end of the step, dim rows u(d) of gradient alpha, written to `row`. */
 static void coincidence_function(const context *c, int32_t j, const double *phi0, double *row)
 {

@@ -1,5 +1,4 @@
 /* Functions of a mechanism's quantities, and their discrete gradients by the chain rule (theory 2.5). */
-#include "holonom.h"
 #include "internal.h"
 
 #include <math.h>

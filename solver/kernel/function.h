@@ -4,8 +4,6 @@
 #define HOLONOM_FUNCTION_H
 
 #include "composite.h"
-#include "context.h"
-#include "forms.h"
 
 enum register_mode { OVER_STEP, AT_END };
 
@@ -234,29 +232,17 @@ static int32_t composite_slopes(const context *c, int32_t j, int tangent, compos
     return function_slopes(c, j, tangent, result);
 }
 
-/* Value of function j at the beginning of the step; of a potential, also at the state. */
-static double function_value(const context *c, int32_t j)
-{
-    const holonom_model *m = c->m;
-    const hm_registers *r = &c->k.r;
-    for (int32_t at = m->leaf_ptr[j], l = 0; at < m->leaf_ptr[j + 1]; at++, l++) {
-        const int32_t *entry = m->leaf + 4 * at;
-        r->r0[l] = entry[0] == LEAF_SIGNAL ? c->s.signal[entry[1]] : c->k.sigma0[entry[1]];
-        r->r1[l] = r->r0[l];
-        r->dr[l] = 0.0;
-    }
-    return r->r0[run_function(c, j)];
-}
-
-/* Value of function j at the state, of its own quantities and without slopes. */
-static double value_at_state(const context *c, int32_t j)
+/* Value of function j, without slopes, of quantities at the beginning of the step or, where they are not known, at the state. */
+static double value_of_function(const context *c, int32_t j, int are_known)
 {
     const holonom_model *m = c->m;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], f = j - first_function(c), *entry = m->leaf + 4 * m->leaf_ptr[j];
     double *x = c->k.r.r0;
     int32_t l = 0;
     for (; l < n; l++, entry += 4)
-        x[l] = entry[0] == LEAF_SIGNAL ? c->s.signal[entry[1]] : quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
+        x[l] = entry[0] == LEAF_SIGNAL ? c->s.signal[entry[1]]
+               : are_known             ? c->k.sigma0[entry[1]]
+                                       : quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
     for (int32_t at = m->function_ptr[f]; at < m->function_ptr[f + 1]; at++, l++) {
         const int32_t *op = m->operation + 4 * at;
         double argument[3];
@@ -266,6 +252,8 @@ static double value_at_state(const context *c, int32_t j)
     }
     return x[l - 1];
 }
+
+static double function_value(const context *c, int32_t j) { return value_of_function(c, j, 1); }
 
 /* sigma0 becomes the quantities at the state, of the islands at hand. */
 static void quantities_at_state(const context *c)

@@ -2,12 +2,10 @@
 #ifndef HOLONOM_HALF_STEP_H
 #define HOLONOM_HALF_STEP_H
 
-#include "context.h"
 #include "inputs_signals.h"
-#include "ledger.h"
-#include "step.h"
 
-static int32_t single_step(context *c, double h, int half)
+/* Laws and signals of a half step of length h; returns its parity. */
+static int begin_half(context *c, double h, int half)
 {
     const int parity = half % 2;
     c->h = h;
@@ -15,6 +13,12 @@ static int32_t single_step(context *c, double h, int half)
     if (c->m->sensing) sense(c, h, parity);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
     signals_at(c, c->t + h, c->k.signal1);
+    return parity;
+}
+
+static int32_t single_step(context *c, double h, int half)
+{
+    const int parity = begin_half(c, h, half);
     const int32_t status = solve_step(c, parity);
     if (!status) accept_step(c, parity);
     return status;

@@ -5,12 +5,7 @@
 #ifndef HOLONOM_HALF_STEP_CONTACTS_H
 #define HOLONOM_HALF_STEP_CONTACTS_H
 
-#include "contact.h"
-#include "context.h"
 #include "event.h"
-#include "function.h"
-#include "inputs_signals.h"
-#include "row_state.h"
 
 #define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that counts as zero                   */
 
@@ -27,14 +22,6 @@ static inline int is_landing(const context *c, int32_t i) { return is_closed(c, 
 
 static double normal_in_step(const context *c, int32_t i) { return -c->k.mu[row_of(c, c->m->contact_row[i])]; }
 
-static double largest_normal_in_step(const context *c)
-{
-    double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (is_closed(c, i)) largest = fmax(largest, fabs(normal_in_step(c, i)));
-    return largest;
-}
-
 /* Sum of the slips of friction f (by row) along its direction. */
 static double along_direction(const context *c, int32_t f, const double *slip)
 {
@@ -49,16 +36,6 @@ static double largest_acceleration(const context *c)
     const double *gravity = c->number + c->m->gravity_at;
     const double largest2 = fmax(largest_square(c, c->s.a[0]), largest_square(c, c->s.a[1]));
     return 2.0 * sqrt(fmax(dot(gravity, gravity), largest2));
-}
-
-/* Closes contact i so that its gap is 0 at the end of the half step. */
-static void close_at_zero(context *c, int32_t i)
-{
-    const int32_t f = c->m->contact_friction[i];
-    double *x = contact_of(c, i);
-    x[C_CLOSED] = 1.0;
-    x[C_REFERENCE] = 0.0;
-    if (f >= 0) guess_friction(c, f);
 }
 
 static void forget_stop(const context *c, int32_t f)
@@ -119,7 +96,7 @@ static void begin_choice(context *c, double h)
         const touch *x = touch_of(c, i);
         double *reference = contact_of(c, i) + C_REFERENCE; /* a negative one: round-off of the drawing, which no step pushes out */
         if (x->was_closed != 0.0) *reference = fmin(*reference, 0.0);
-        else if (x->is_near != 0.0 && x->gap + h * x->rate < -none) close_at_zero(c, i);
+        else if (x->is_near != 0.0 && x->gap + h * x->rate < -none) close_contact_at(c, i, 0.0);
     }
 }
 

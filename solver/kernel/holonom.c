@@ -1,7 +1,5 @@
 /* What the caller asks before a step: version, dimension, layout of the memory that it lends. */
 #include "small.h"
-#include "holonom.h"
-#include "internal.h"
 #include "section_tables.h"
 
 #include <stddef.h>

@@ -5,16 +5,7 @@
 #ifndef HOLONOM_IMPACT_H
 #define HOLONOM_IMPACT_H
 
-#include "contact.h"
-#include "context.h"
-#include "energy.h"
-#include "impact_law.h"
-#include "impact_rows.h"
 #include "joint_impacts.h"
-#include "ledger.h"
-#include "rigid.h"
-#include "row_state.h"
-#include "start.h"
 #include "velocity_projection.h"
 
 #define HELD 1e-10 /* of W without bilateral rows: what these leave of a row that depends on them */

@@ -3,14 +3,8 @@
 #ifndef HOLONOM_IMPACT_ROWS_H
 #define HOLONOM_IMPACT_ROWS_H
 
-#include "composite.h"
-#include "context.h"
-#include "forms.h"
-#include "function.h"
 #include "impact_law.h"
-#include "row_state.h"
 #include "start.h"
-#include "tangent.h"
 
 /* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to the velocities. */
 HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double factor)
@@ -19,21 +13,15 @@ HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double fa
     context still = *c;
     still.h = AT_STATE;
     const int32_t status = composite_slopes(&still, j, 0, &result);
-    const local_form *local = (const local_form *)c->k.local;
-    if (status) return status;
-    for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1]; at++, f++)
-        add_gradient(c, c->m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
-    return HOLONOM_OK;
+    if (!status) add_slopes(c, j, factor);
+    return status;
 }
 
 /* Velocities x (n, overwritten) that impulses in `momentum`, times -sqrt 2, bring about; those of the rows are in mu. */
 HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
 {
-    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
-    memset(x, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    solve_with_factors(c);
-    add_solution(c, x);
+    solve_for(c, x);
 }
 
 /* An impact as it is set up: the rows of contacts that take part, and what is known of each. */

@@ -6,19 +6,8 @@
 #define HOLONOM_INITIALISE_H
 
 #include "close.h"
-#include "context.h"
 #include "dead_centre.h"
-#include "energy.h"
-#include "even_metric.h"
-#include "event.h"
-#include "extrapolation.h"
-#include "inputs_signals.h"
-#include "ledger.h"
-#include "norms.h"
-#include "policy_stopping.h"
-#include "start.h"
 #include "stepped.h"
-#include "tangent.h"
 
 /* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and that of d. */
 static int32_t seek_increment(context *c, double *increment, double *size)
@@ -91,7 +80,6 @@ static int is_given(const context *c, int32_t a) { return c->number[c->m->veloci
 
 #define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
 #define GIVEN_HOLD 1e-9  /* changes of given velocities, likewise */
-#define GIVEN_HEAVIER 1e8 /* weight of given velocities where all parts weigh the same */
 
 /* Largest change of a given velocity, over the fastest motion. */
 static double lost_of_given(const context *c, const double *given)
@@ -107,11 +95,10 @@ static double lost_of_given(const context *c, const double *given)
     return fastest > 0.0 ? lost / fastest : 0.0;
 }
 
-/* Velocities next to those given (n), in the mass metric times node weights, that the rows allow. The first three rounds keep given
-   velocities by large weights, each beginning with them again, and more follow where that brings them nearer: gears may make what
-   is not given heavier yet. The others, with weights `rest` or none, let the rows hold to round-off. What rows still ask for, over
-   their scales, becomes `defect`. */
-HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given, const double *weight, const double *rest, double *defect)
+/* Velocities next to those given (n), in the mass metric, that the rows allow. Where they are to be kept, by large `weight`s, three
+   rounds each begin with them again, and more follow where that brings them nearer: gears may make what is not given heavier yet. The
+   others let the rows hold to round-off. What rows still ask for, over their scales, becomes `defect`. */
+HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given, const double *weight, double *defect)
 {
     const holonom_model *m = c->m;
     double last = INFINITY, lost = INFINITY;
@@ -130,7 +117,7 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
         *defect = largest_row(c, c->k.phi);
         if (round == ROUNDS || (round > 3 && !(*defect < 0.5 * last))) break; /* light parts cost digits: again, as long as it helps */
         last = round < 3 ? INFINITY : *defect;
-        const int32_t status = solve_at_state(c, round < 3 ? weight : rest);
+        const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
         if (status) return status;
         add_solution(c, c->s.v);
     }
@@ -141,22 +128,20 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
    even metric; a contradiction of those given is shared out by masses. */
 HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
 {
-    const holonom_model *m = c->m;
     const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving);
-    double *weight = c->k.free, *given = c->k.pair_backup, *by_masses = given + DIM * c->n_moving, defect;
-    even_metric metric;
+    const double *weight = keep_given ? c->number + c->m->velocity_weight_at : NULL;
+    double *given = c->k.pair_backup, *by_masses = given + DIM * c->n_moving, defect;
     memcpy(given, c->s.v, bytes);
-    int32_t status = project_initial_velocities(c, given, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
+    int32_t status = project_initial_velocities(c, given, weight, &defect);
     if (status) return status;
     const int holds = defect <= RATES_HOLD * fastest_rate(c, c->s.v);
     const double lost = keep_given ? lost_of_given(c, given) : 0.0;
     if (holds && !(lost > GIVEN_HOLD)) return HOLONOM_OK;
     memcpy(by_masses, c->s.v, bytes);
-    status = take_even_metric(c, &metric);
-    for (int32_t a = 0; a < m->n_free; a++) weight[a] = metric.weight[a] * (is_given(c, a) ? GIVEN_HEAVIER : 1.0);
     memcpy(c->s.v, given, bytes);
-    if (!status) status = project_initial_velocities(c, given, keep_given ? weight : NULL, metric.weight, &defect);
-    leave_even_metric(c, &metric);
+    status = take_even_metric(c);
+    if (!status) status = project_initial_velocities(c, given, weight, &defect);
+    leave_even_metric(c);
     if (holds && (status || !(lost_of_given(c, given) < 0.5 * lost))) memcpy(c->s.v, by_masses, bytes);
     return holds ? HOLONOM_OK : status;
 }
@@ -179,7 +164,7 @@ static int32_t close_places(context *c)
     follow_angles(c, NULL);
     memset(c->s.turns, 0, sizeof(double) * (size_t)c->m->n_quantities);
     if (c->m->n_signals) wind(c);
-    keep_pose(c, c->k.step_backup);
+    keep_state(c, c->k.step_backup);
     int32_t status = seek_step(c, 1.0, 1, &size);
     if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW || status == HOLONOM_STOPPED) return status;
     if (!status) take_over(c), follow_angles(c, NULL);

@@ -2,8 +2,6 @@
 #ifndef HOLONOM_INPUTS_SIGNALS_H
 #define HOLONOM_INPUTS_SIGNALS_H
 
-#include "composite.h"
-#include "context.h"
 #include "energy.h"
 #include "ledger.h"
 
@@ -62,13 +60,20 @@ static void set_laws(context *c, double t, int booked)
     if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
 }
 
-/* Side of its jump or kink on which an operation is; 0 where it has none. */
+/* Whether an operation has a jump or a kink. */
+static int may_jump(int32_t code)
+{
+    return (code >= T_SIGN && code <= T_NE) || code == T_FLOOR || code == T_CEIL || code == T_MIN || code == T_MAX || code == T_ABS ||
+           code == T_MOD;
+}
+
+/* Side of it on which an operation is; 0 where it has none. */
 static double side_of(const int32_t *op, const double *number)
 {
     const double a = number[op[2]], b = number[op[3]];
-    if ((op[0] >= T_SIGN && op[0] <= T_NE) || op[0] == T_FLOOR || op[0] == T_CEIL) return number[op[1]];
     if (op[0] == T_MIN || op[0] == T_MAX) return a < b;
-    return op[0] == T_ABS ? a < 0.0 : op[0] == T_MOD ? floor(a / b) : 0.0;
+    if (op[0] == T_ABS || op[0] == T_MOD) return op[0] == T_ABS ? a < 0.0 : floor(a / b);
+    return may_jump(op[0]) ? number[op[1]] : 0.0;
 }
 
 /* Whether any operation of the laws has a jump or a kink. */
@@ -76,9 +81,7 @@ HM_SELDOM static int may_switch(const holonom_model *m)
 {
     const int32_t *op = m->tape + 5 * (int64_t)m->n_tape_parameters;
     int may = 0;
-    for (int32_t i = 0; i < m->n_tape_laws; i++, op += 5)
-        may |= (op[0] >= T_SIGN && op[0] <= T_NE) || op[0] == T_FLOOR || op[0] == T_CEIL || op[0] == T_MIN || op[0] == T_MAX ||
-               op[0] == T_ABS || op[0] == T_MOD;
+    for (int32_t i = 0; i < m->n_tape_laws; i++, op += 5) may |= may_jump(op[0]);
     return may;
 }
 

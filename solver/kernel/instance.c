@@ -118,12 +118,26 @@ const char *holonom_remarks(holonom_instance *i)
     return i->remarks.begin;
 }
 
-/* Begins a line of the remarks. */
-static void begin_remark(holonom_instance *i)
+/* Remarks not yet fetched, to which others may be added. */
+static hm_text *open_remarks(holonom_instance *i)
 {
     if (!i->has_remarks) hm_clear(&i->remarks);
-    else hm_say(&i->remarks, "\n");
-    i->has_remarks = 1;
+    return &i->remarks;
+}
+
+static void begin_line(hm_text *text) { hm_say(text, "%s", text->used ? "\n" : ""); }
+
+/* Puts state and numbers aside, and takes them back. */
+static void put_all_aside(const holonom_instance *i)
+{
+    memcpy(i->before, i->state, sizeof(double) * (size_t)i->state_size);
+    memcpy(i->before + i->state_size, i->numbers, sizeof(double) * (size_t)i->file.model.n_numbers);
+}
+
+static void take_all_back(const holonom_instance *i)
+{
+    memcpy(i->state, i->before, sizeof(double) * (size_t)i->state_size);
+    memcpy(i->numbers, i->before + i->state_size, sizeof(double) * (size_t)i->file.model.n_numbers);
 }
 
 static int32_t done(const holonom_instance *i) { return i->has_remarks ? HOLONOM_REMARKED : HOLONOM_DONE; }
@@ -229,12 +243,12 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
     static const double weight[] = {48.0, -36.0, 16.0, -3.0}, part = 1e-2;
     enum { POINTS = sizeof weight / sizeof *weight };
     const holonom_model *m = &i->file.model;
-    const double step = part * i->s.head[S_STEP_SIZE], *now = i->before + i->state_size;
-    const size_t state = sizeof(double) * (size_t)i->state_size, numbers = sizeof(double) * (size_t)m->n_numbers;
-    memcpy(i->before, i->state, state);
+    const double step = part * i->s.head[S_STEP_SIZE];
+    double *now = i->before + i->state_size;
+    put_all_aside(i);
     const int32_t status = holonom_begin_moving_on(m, i->numbers, i->state, i->work, POINTS * step);
     holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
-    memcpy(i->before + i->state_size, i->numbers, numbers);
+    memcpy(now, i->numbers, sizeof(double) * (size_t)m->n_numbers);
     for (int p = 0; p < POINTS && !status; p++) {
         holonom_move_on(m, i->numbers, i->state, i->work, step);
         holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
@@ -244,8 +258,7 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
             if (!holonom_knows_rate(m, i->numbers, place, &known)) value[k] += weight[p] / (12.0 * step) * (i->numbers[place] - now[place]);
         }
     }
-    memcpy(i->state, i->before, state);
-    memcpy(i->numbers, now, numbers);
+    take_all_back(i);
     i->measured = 0;
     return !status ? HOLONOM_DONE
                    : answer(i, HOLONOM_UNTRIED, "rates of outputs at t = %6g s: %s", i->s.head[S_TIME], hm_about_step(status));
@@ -274,13 +287,9 @@ int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t cou
 static int32_t change_in_motion(holonom_instance *i)
 {
     const holonom_model *m = &i->file.model;
-    const size_t state = sizeof(double) * (size_t)i->state_size, numbers = sizeof(double) * (size_t)m->n_numbers;
     const int may_break = i->has_rules_of_laws || m->variable_potential || m->n_contacts;
-    if (may_break) {
-        memcpy(i->before, i->state, state);
-        memcpy(i->before + i->state_size, i->numbers, numbers);
-    }
     double gap;
+    if (may_break) put_all_aside(i);
     const int32_t pressed = holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters, &gap);
     if (!may_break) return HOLONOM_DONE;
     hm_clear(&i->message);
@@ -289,8 +298,7 @@ static int32_t change_in_motion(holonom_instance *i)
     if (!(fabs(i->s.head[S_WORK]) < INFINITY))
         hm_say(&i->message, "%swith these values a spring or potential has no finite energy", problems++ ? "\n" : "");
     if (!problems) return HOLONOM_DONE;
-    memcpy(i->state, i->before, state);
-    memcpy(i->numbers, i->before + i->state_size, numbers);
+    take_all_back(i);
     return HOLONOM_REFUSED;
 }
 
@@ -316,10 +324,12 @@ static void say_clipped(holonom_instance *i, const hm_variable *v, double value,
     char *said = i->clipped + (v - i->file.variable);
     if (limit != limit || *said) return;
     *said = 1;
-    begin_remark(i);
-    hm_say(&i->remarks, "%s: ", text_of(i, v->name));
-    hm_say_value(&i->remarks, value, shown);
-    hm_say(&i->remarks, "%u is beyond %6g%u, and is clipped to this limit (reported once)", unit, limit, unit);
+    hm_text *remarks = open_remarks(i);
+    begin_line(remarks);
+    hm_say(remarks, "%s: ", text_of(i, v->name));
+    hm_say_value(remarks, value, shown);
+    hm_say(remarks, "%u is beyond %6g%u, and is clipped to this limit (reported once)", unit, limit, unit);
+    i->has_remarks = 1;
 }
 
 int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, const double *value, const char *const *shown)
@@ -379,11 +389,11 @@ static holonom_watch *begin_watch(holonom_instance *i)
 /* Remarks on what moved far, as a line of its own. */
 static void remark_on_closing(holonom_instance *i)
 {
-    hm_text said = i->remarks; /* behind those not yet fetched */
-    if (!i->has_remarks) hm_clear(&said);
-    else hm_say(&said, "\n");
-    if (hm_say_closing(&said, &i->file, i->numbers, &i->s)) i->remarks = said, i->has_remarks = 1;
-    else hm_take_back(&said, i->has_remarks ? i->remarks.used : 0);
+    hm_text *remarks = open_remarks(i);
+    const size_t end = remarks->used;
+    begin_line(remarks);
+    if (hm_say_closing(remarks, &i->file, i->numbers, &i->s)) i->has_remarks = 1;
+    else hm_take_back(remarks, end);
 }
 
 int32_t holonom_assemble(holonom_instance *i)
@@ -459,12 +469,8 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;
     i->phase = HOLONOM_MOVING;
-    const int said = i->said;
-    hm_text seen = i->remarks; /* behind those not yet fetched */
-    if (!i->has_remarks) hm_clear(&seen);
-    const size_t begin = seen.used;
-    i->said = hm_remark(&seen, &i->file, i->numbers, &i->s, said, i->heard);
-    if (seen.used > begin) i->remarks = seen, i->has_remarks = 1;
+    i->said = hm_remark(open_remarks(i), &i->file, i->numbers, &i->s, i->said, i->heard);
+    i->has_remarks = i->remarks.used > 0;
     return done(i);
 }
 
@@ -550,34 +556,23 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
     return NULL;
 }
 
-static void swap_states(holonom_instance *i)
-{
-    for (int64_t k = 0; k < i->state_size; k++) {
-        const double x = i->state[k];
-        i->state[k] = i->before[k];
-        i->before[k] = x;
-    }
-}
-
-/* Refuses a state in motion that deforms a rigid part, as no run does: its steps, none of which can be
-   solved, would take thousands of iterations. The state to look at is the one before. */
-static int32_t refuse_deformed(holonom_instance *i)
+/* Refuses the block of a state in motion that deforms a rigid part, as no run does: its steps, none of which can be
+   solved, would take thousands of iterations. */
+static int32_t refuse_deformed(holonom_instance *i, const void *block)
 {
     const holonom_model *m = &i->file.model;
-    const size_t numbers = sizeof(double) * (size_t)m->n_numbers;
     const int32_t n_rigid = m->n_form_rows + DIM * m->n_coincidences;
     double *scale = i->numbers + m->row_scale_at, most = FARTHEST_OFF;
     int32_t worst = -1;
-    memcpy(i->before + i->state_size, i->numbers, numbers);
-    swap_states(i);
+    put_all_aside(i);
+    memcpy(i->state, block, sizeof(double) * (size_t)i->state_size);
     evaluate(i);
     holonom_rows(i, i->phi, i->rate);
     for (int32_t row = 0; row < n_rigid; row++) {
         const double off = fabs(i->phi[row]) / scale[row];
         if (!(off <= most)) most = off, worst = row;
     }
-    swap_states(i);
-    memcpy(i->numbers, i->before + i->state_size, numbers);
+    take_all_back(i);
     if (worst < 0) return HOLONOM_DONE;
     return answer(i, HOLONOM_REFUSED, "the saved state does not fit %s, by %3g of its size; save it again", text_of(i, i->file.row[worst].name),
                   most);
@@ -599,7 +594,7 @@ int32_t holonom_check_saved(holonom_instance *i, const void *bytes, int64_t leng
     memcpy(i->before, block, sizeof(double) * (size_t)i->state_size);
     const char *flaw = flaw_of_block(i, i->before);
     if (flaw) return refuse_state(i, flaw);
-    return head.phase == HOLONOM_CONFIGURED ? HOLONOM_DONE : refuse_deformed(i);
+    return head.phase == HOLONOM_CONFIGURED ? HOLONOM_DONE : refuse_deformed(i, block);
 }
 
 int32_t holonom_return_to(holonom_instance *i, const void *bytes)

@@ -5,10 +5,7 @@
 #ifndef HOLONOM_JOINT_IMPACTS_H
 #define HOLONOM_JOINT_IMPACTS_H
 
-#include "context.h"
-#include "impact_law.h"
 #include "impact_rows.h"
-#include "row_state.h"
 
 /* Whether a contact that takes part is of the island of composite j. */
 HM_SELDOM static int reaches(const context *c, const hit *x, int32_t j)

@@ -2,7 +2,6 @@
 #ifndef HOLONOM_KEPT_MOTION_H
 #define HOLONOM_KEPT_MOTION_H
 
-#include "context.h"
 #include "energy.h"
 #include "rigid.h"
 
@@ -203,8 +202,11 @@ HM_SELDOM static double sizes_of_summands(const context *c, const kept_motion *x
     }
     if (m->n_potentials) quantities_at_state(c);
     for IN_ISLAND(c, j, ISLAND_POTENTIAL) {
+        const hm_registers *r = &c->k.r;
         sum += fabs(function_value(c, j));
-        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) sum += fabs(c->k.r.adjoint[l] * c->k.r.r0[l]);
+        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) r->r1[l] = r->r0[l], r->dr[l] = 0.0;
+        run_function(c, j);
+        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) sum += fabs(r->adjoint[l] * r->r0[l]);
     }
     return sum;
 }

@@ -4,7 +4,6 @@
 #define HOLONOM_LAWS_H
 
 #include "body_turns.h"
-#include "context.h"
 #include "forms.h"
 
 /* Moment m on a link u: couple f = g (m x u_m) with g = beta/|u_0 x u_1|, beta the angle between u_0 and u_1.

@@ -5,7 +5,6 @@
 #ifndef HOLONOM_LEARNED_CONTRACTION_H
 #define HOLONOM_LEARNED_CONTRACTION_H
 
-#include "context.h"
 #include "newton_record.h"
 
 /* A second increment that is shorter than this, over the size of the step, may be round-off (up to 5e-14 in a wishbone),

@@ -2,13 +2,6 @@
 #ifndef HOLONOM_LEDGER_H
 #define HOLONOM_LEDGER_H
 
-#include "composite.h"
-#include "context.h"
-#include "forms.h"
-#include "function.h"
-#include "laws.h"
-#include "predict.h"
-#include "row_state.h"
 #include "sampling.h"
 #include "step.h"
 

@@ -4,7 +4,6 @@
    [diagonal, U_k1 .. U_km, L_1k .. L_mk]; `column` lists the m later places it is coupled to, and `target`
    says where each of the m*m products of its update goes. No pivoting: a regularised KKT matrix whose rows
    come after one of their nodes is factorisable in any such order (Vanderbei 1995, quasidefinite matrices).  */
-#include "holonom.h"
 #include "internal.h"
 
 #include <math.h>

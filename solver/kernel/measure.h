@@ -2,16 +2,8 @@
 #ifndef HOLONOM_MEASURE_H
 #define HOLONOM_MEASURE_H
 
-#include "composite.h"
 #include "contact.h"
-#include "context.h"
-#include "energy.h"
-#include "forms.h"
-#include "inputs_signals.h"
-#include "norms.h"
-#include "sampling.h"
-#include "step.h"
-#include "tangent.h"
+#include "rigid.h"
 
 /* The states below are mapped for writing, as a step's are, and not modified. */
 HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double *state, double *work, double *phi,
@@ -71,14 +63,9 @@ static void measure_bodies(const context *c, const hm_measured *y)
     (void)c, (void)y;
 #if DIM == 3
     memcpy(y->quaternion, c->s.quaternion, sizeof(double) * (size_t)(4 * n_bodies(c->m)));
-    double *rate = y->body_rate, turning[TURNING];
-    for (int32_t j = 0; j < n_bodies(c->m); j++, rate += 3) {
-        const double *d = c->s.q + 3 * c->m->body_node[j], *v = c->s.v + 3 * c->m->body_node[j];
-        EACH(k) rate[k] = 0.0;
-        for (int i = 0; i < 9; i += 3) {
-            cross_product(d + i, v + i, turning);
-            EACH(k) rate[k] += 0.5 * turning[k];
-        }
+    for (int32_t j = 0; j < n_bodies(c->m); j++) {
+        const int32_t first = 3 * c->m->body_node[j];
+        turn_of_directors(c->s.q + first, c->s.v + first, y->body_rate + 3 * j);
     }
 #endif
 }
@@ -126,12 +113,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
     }
     for (int32_t f = 0; f < n_frictions(m); f++) {
         const int mode = friction_mode(c, f);
-        double force = 0.0, slip = 0.0;
-        for (int k = 0; k < n_slips(c, f); k++) {
-            force += hm_square(y->multiplier[row_of(c, slip_row(c, f, k))]);
-            slip += hm_square(rate_of_row(c, slip_row(c, f, k)));
-        }
-        force = sqrt(force), slip = sqrt(slip);
+        double force = friction_force(c, f, y->multiplier, NULL), slip = slip_of(c, f, NULL);
         if (n_slips(c, f) == 1) {
             force = -y->multiplier[row_of(c, slip_row(c, f, 0))];
             slip = rate_of_row(c, slip_row(c, f, 0));
@@ -164,17 +146,14 @@ static void measure_energies(context *c, const hm_measured *y)
 /* Momentum of the points, and angular momentum about the origin: directions carry only the latter. */
 static void measure_momenta(const context *c, const hm_measured *y)
 {
-    const holonom_model *m = c->m;
-    const double *p = c->k.momentum;
-    double moment[TURNING];
+    const double origin[DIM] = {0.0};
+    double total[RIGID], unused[RIGID];
+    int all[RIGID];
+    for (int i = 0; i < RIGID; i++) all[i] = 1;
     momenta(c, c->k.momentum);
-    EACH(k) y->momentum[k] = 0.0;
-    for (int k = 0; k < TURNING; k++) y->angular_momentum[k] = 0.0;
-    for (int32_t a = 0; a < c->n_moving; a++, p += DIM) {
-        if (!m->node_kind[a]) EACH(k) y->momentum[k] += p[k];
-        cross_product(c->s.q + DIM * a, p, moment);
-        for (int k = 0; k < TURNING; k++) y->angular_momentum[k] += moment[k];
-    }
+    rigid_momenta(c, origin, all, c->k.momentum, total, unused);
+    memcpy(y->momentum, total, sizeof(double) * DIM);
+    memcpy(y->angular_momentum, total + DIM, sizeof(double) * TURNING);
 }
 
 void holonom_group_ends(const holonom_model *m, double *number, int32_t *end)

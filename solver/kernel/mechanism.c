@@ -1,5 +1,4 @@
 /* The mechanics and the step, as one unit, so that small functions vanish in their callers. */
 #include "advance.h"
 #include "initialise.h"
-#include "measure.h"
 #include "rates.h"

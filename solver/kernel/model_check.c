@@ -4,7 +4,6 @@
 
 #include "check_tables.h"
 #include "internal.h"
-#include "model_file.h"
 
 /* Place of a table among all. */
 #define TABLE(name) ((offsetof(holonom_model, name) - offsetof(holonom_model, island_begin)) / sizeof(const int32_t *))
@@ -245,7 +244,7 @@ static int has_sides(const checker *c, int32_t f)
     for (int32_t e = begin; e < end; e = end_of_side(c, f, e)) sides++;
     for (int32_t e = begin + 1; e < end; e++)
         if (c->m->form_node[e] <= c->m->form_node[e - 1]) return 0;
-    return !is_of_turns(c) || sides <= MOST_SIDES;
+    return sides <= MOST_SIDES;
 }
 
 /* Elements of all pairs of unknowns of form f: whole blocks if `full` or of a turn, else the diagonals. */

@@ -2,13 +2,7 @@
 #ifndef HOLONOM_NEWTON_H
 #define HOLONOM_NEWTON_H
 
-#include "body_turns.h"
-#include "context.h"
-#include "forms.h"
-#include "newton_record.h"
-#include "policy_factors.h"
 #include "policy_penalty.h"
-#include "policy_stopping.h"
 #include "tangent.h"
 
 /* Uzawa update: the total multiplier becomes the one held fixed. The paper's eq 16 adds alpha (Phi_n + Phi_1)/2

@@ -45,6 +45,17 @@ static double largest_row(const context *c, const double *phi)
     return largest;
 }
 
+/* Largest angular velocity among those of the nodes, and speed over the size of the mechanism [1/s]; likewise of accelerations. */
+static double fastest_rate(const context *c, const double *v)
+{
+    double fastest = 0.0;
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double speed = sqrt(dot(v + DIM * a, v + DIM * a));
+        fastest = fmax(fastest, c->m->node_kind[a] ? speed : speed / c->number[c->m->extent_at]);
+    }
+    return fastest;
+}
+
 /* Speed of the mechanism, in the mass norm; 0 only as long as nothing has moved or could. */
 static double speed_scale(const context *c)
 {

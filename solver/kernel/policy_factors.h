@@ -2,10 +2,6 @@
 #ifndef HOLONOM_POLICY_FACTORS_H
 #define HOLONOM_POLICY_FACTORS_H
 
-#include "context.h"
-#include "forms.h"
-#include "learned_contraction.h"
-#include "newton_record.h"
 #include "policy_stopping.h"
 
 #define GOOD_CONTRACTION 0.05

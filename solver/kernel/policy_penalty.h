@@ -2,11 +2,7 @@
 #ifndef HOLONOM_POLICY_PENALTY_H
 #define HOLONOM_POLICY_PENALTY_H
 
-#include "context.h"
-#include "forms.h"
-#include "newton_record.h"
 #include "policy_factors.h"
-#include "policy_stopping.h"
 
 /* Raises the penalty of the step at hand a thousandfold, twice at most. Where the singular configuration lies
    between the midpoint and the end of a step, the gradients there differ in sign along one combination of rows;

@@ -2,10 +2,8 @@
 #ifndef HOLONOM_POLICY_STOPPING_H
 #define HOLONOM_POLICY_STOPPING_H
 
-#include "context.h"
-#include "forms.h"
 #include "learned_contraction.h"
-#include "newton_record.h"
+#include "norms.h"
 
 /* A step's error must lie far below the tolerance: what is left in momentum or constraints has one sign over
    many steps and adds up in the energy (measured: double pendulum, h = 1e-3, 2e5 steps, |dE| 4.8e-11 J with
@@ -45,15 +43,7 @@ static double constraint_energy(const context *c)
 }
 
 /* Largest |Phi_1|/l^2. */
-static double constraint_defect(const context *c)
-{
-    double largest = 0.0;
-    EACH_ROW(c, i) {
-        const double scaled = fabs(c->k.phi[i]) / c->number[c->m->row_scale_at + i];
-        if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
-    }
-    return largest;
-}
+static double constraint_defect(const context *c) { return largest_row(c, c->k.phi); }
 
 /* Largest increments that are still to come: by the contraction that this step shows, or, of first increments and where round-off
    hides it, by that which earlier steps tell. */

@@ -7,7 +7,6 @@
 #ifndef HOLONOM_PREDICT_H
 #define HOLONOM_PREDICT_H
 
-#include "context.h"
 #include "forms.h"
 
 /* Half steps that the polynomial goes through. Parts of a composition differ in length, and what they jump by with it: more than

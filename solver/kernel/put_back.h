@@ -3,17 +3,8 @@
 #ifndef HOLONOM_PUT_BACK_H
 #define HOLONOM_PUT_BACK_H
 
-#include "body_turns.h"
-#include "context.h"
 #include "flight.h"
-#include "inputs_signals.h"
-#include "kept_motion.h"
-#include "ledger.h"
-#include "newton.h"
-#include "norms.h"
-#include "rigid.h"
 #include "start.h"
-#include "tangent.h"
 
 enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy */
@@ -238,11 +229,10 @@ static int put_velocities_back(context *c, context *at)
    places are on the rows. Momenta that rows let be are kept, and the energy. Where that cannot be, velocities stay as they are.  */
 HM_SELDOM static void put_only_velocities_back(context *c)
 {
-    context at = rows_at_state(c, 0.0);
-    const size_t bytes = sizeof(double) * (size_t)c->state_size;
+    context at = rows_at_state(c);
     double *before = c->k.whole_backup;
     int done = 0;
-    memcpy(before, c->s.head, bytes);
+    keep_state(c, before);
     keep_motion(c, 0.0);
     signals_at(c, c->t, c->k.signal1);
     signal_rates_at(c, c->t, c->k.signal_rate);
@@ -253,7 +243,7 @@ HM_SELDOM static void put_only_velocities_back(context *c)
         forget_changed(c);
         done = put_velocities_back(c, &at);
     }
-    if (!done) memcpy(c->s.head, before, bytes);
+    if (!done) take_state(c, before);
 }
 
 /* Puts the state back, coordinates first; `held` says whether it cannot be, also where rows are too weak for it. */

@@ -3,10 +3,7 @@
 #ifndef HOLONOM_RATES_H
 #define HOLONOM_RATES_H
 
-#include "inputs_signals.h"
-#include "ledger.h"
 #include "measure.h"
-#include "start.h"
 
 enum { ENERGY_BALANCE = 5 }; /* the first of the errors of energies and rows */
 

@@ -1,4 +1,4 @@
-/* Forms and coincidences in the tangent of a reduced step: sums over each unknown, a point or the turn of a body.
+/* Forms and coincidences in the tangent: sums over each unknown, a node or, in a reduced step, the turn of a body.
 
    The part of a link u that a body carries, U = sum alpha d_i over its directors, turns with it: delta U = spin x U. So
    a form u . w has the gradient  U x w + W x u  over the turn of a body, and the second derivative
@@ -10,7 +10,6 @@
 #define HOLONOM_REDUCED_ROWS_H
 
 #include "body_turns.h"
-#include "context.h"
 #include "forms.h"
 
 /* Free entries of a form with the same unknown: the parts of links that a body carries, or one point. */
@@ -257,7 +256,7 @@ static void axes_row_tangent(const context *c, int32_t i, const int32_t *slot, d
 }
 
 /* Tangent of form row i: stiffness, the gradient in the middle, that at the end. */
-static void reduced_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
+static void row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
 {
     const holonom_model *m = c->m;
     if (is_axes_row(c, i)) {
@@ -288,7 +287,7 @@ static void reduced_row_tangent(const context *c, int32_t i, const int32_t *slot
 }
 
 /* Gradients of coincidence j: of each side those in the middle, h times, and those at the end. */
-static const int32_t *reduced_coincidence_tangent(const context *c, int32_t j, const int32_t *slot, double *value)
+static const int32_t *coincidence_tangent(const context *c, int32_t j, const int32_t *slot, double *value)
 {
     const holonom_model *m = c->m;
     const int32_t f = m->coincidence_form[j], end = m->form_ptr[f] + m->form_free[f];

@@ -3,8 +3,6 @@
 
 #include "sentences.h"
 
-#include <string.h>
-
 #define HALVED_SO_OFTEN "even with the step halved again and again"
 #define HALVED HALVED_SO_OFTEN "; "
 #define FAR_APART \
@@ -67,29 +65,32 @@ const char *hm_about_step(int32_t status)
     }
 }
 
+typedef struct part_name {
+    char text[NAME_ROOM];
+} part_name;
+
 /* Name of the part that the measurement at `place` is of; empty if there is none. */
-static void name_of_part(const hm_model_file *f, int32_t place, hm_text *name)
+static part_name name_of_part(const hm_model_file *f, int32_t place)
 {
-    hm_clear(name);
-    for (uint32_t k = 0; k < f->header->n_variables; k++) {
+    part_name found;
+    hm_text name = {found.text, sizeof found.text, 0};
+    hm_clear(&name);
+    for (uint32_t k = 0; k < f->header->n_variables && !name.used; k++) {
         const hm_variable *v = f->variable + k;
-        if (v->kind != KIND_MEASURED || v->place != place) continue;
-        hm_say(name, "%s", f->text + v->name);
-        const char *end = NULL;
-        for (const char *p = name->begin; *p; p++)
-            if (*p == '.') end = p;
-        if (end) hm_take_back(name, (size_t)(end - name->begin));
-        return;
+        if (v->kind == KIND_MEASURED && v->place == place) hm_say(&name, "%s", f->text + v->name);
     }
+    size_t end = name.used;
+    for (size_t k = 0; k < name.used; k++)
+        if (found.text[k] == '.') end = k;
+    hm_take_back(&name, end);
+    return found;
 }
 
 /* Row of rigidity of a body: by its name, or by one of its directions. */
 static int is_row_of(const hm_model_file *f, int32_t row, const char *name, int32_t node)
 {
     const holonom_model *m = &f->model;
-    const char *title = f->text + f->row[row].name + sizeof "body '" - 1;
-    const size_t length = strlen(name);
-    if (!m->node_kind[node]) return length && !strncmp(title, name, length) && title[length] == '\'';
+    if (!m->node_kind[node]) return *name && hm_is_of_body(f, row, name, strlen(name));
     for (int32_t e = m->form_ptr[m->row_form[row]]; e < m->form_ptr[m->row_form[row] + 1]; e++)
         if (m->form_node[e] == node) return 1;
     return 0;
@@ -98,17 +99,14 @@ static int is_row_of(const hm_model_file *f, int32_t row, const char *name, int3
 int hm_say_node(hm_text *text, const hm_model_file *f, int32_t node)
 {
     const holonom_model *m = &f->model;
-    char room[NAME_ROOM];
-    hm_text name = {room, sizeof room, 0};
-    hm_clear(&name);
-    if (!m->node_kind[node]) name_of_part(f, DIM * node, &name);
+    const part_name name = name_of_part(f, m->node_kind[node] ? -1 : DIM * node);
     for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++)
-        if (is_row_of(f, i, room, node)) {
+        if (is_row_of(f, i, name.text, node)) {
             hm_say(text, "%s", f->text + f->row[i].name);
             return 1;
         }
-    if (name.used) hm_say(text, "point '%s'", room);
-    return name.used > 0;
+    if (*name.text) hm_say(text, "point '%s'", name.text);
+    return *name.text != '\0';
 }
 
 /* Says the part of a node with a colon; nothing if none is known. */
@@ -129,12 +127,9 @@ static void say_signal(hm_text *text, const hm_model_file *f, const double *numb
     hm_say(text, "%s", OF[what % 3]);
     if (b < DIM * m->n_driven) {
         const hm_measured y = hm_measured_in(f, numbers);
-        char room[NAME_ROOM];
-        hm_text name = {room, sizeof room, 0};
-        name_of_part(f, (int32_t)(y.driven_force - y.position) + b, &name);
-        for (char *p = room; name.used && *p; p++)
-            if (*p == '.') *p = '\0'; /* hand, of hand.force.x */
-        hm_say(text, "driver '%s': ", room);
+        part_name name = name_of_part(f, (int32_t)(y.driven_force - y.position) + b);
+        name.text[strcspn(name.text, ".")] = '\0'; /* hand, of hand.force.x */
+        hm_say(text, "driver '%s': ", name.text);
         return;
     }
     for (int32_t row = first; row < m->n_rows; row++) {
@@ -158,10 +153,8 @@ static int is_no_number(const double *x, int32_t n)
 static void say_element(hm_text *text, const hm_model_file *f, const double *numbers, int32_t j, const char *does)
 {
     const hm_measured y = hm_measured_in(f, numbers);
-    char room[NAME_ROOM];
-    hm_text name = {room, sizeof room, 0};
-    name_of_part(f, (int32_t)(y.element_force - y.position) + j, &name);
-    if (name.used) hm_say(text, "'%s'%s: ", room, does);
+    const part_name name = name_of_part(f, (int32_t)(y.element_force - y.position) + j);
+    if (*name.text) hm_say(text, "'%s'%s: ", name.text, does);
 }
 
 /* Says a load, spring or damper whose law gives no number, or one that it may not give. */
@@ -217,13 +210,10 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
         if (lightest < 0 || mass[a] < mass[lightest]) lightest = a;
     }
     if (heaviest < 0 || !(mass[heaviest] > FAR_APART_MASSES * mass[lightest])) return;
-    char heavy_room[NAME_ROOM], light_room[NAME_ROOM];
-    hm_text heavy = {heavy_room, NAME_ROOM, 0}, light = {light_room, NAME_ROOM, 0};
-    name_of_part(f, DIM * heaviest, &heavy);
-    name_of_part(f, DIM * lightest, &light);
-    if (heavy.used && light.used)
-        hm_say(text, "; '%s' has %3g times the mass of '%s', which it throws about where they come into line", heavy_room,
-               mass[heaviest] / mass[lightest], light_room);
+    const part_name heavy = name_of_part(f, DIM * heaviest), light = name_of_part(f, DIM * lightest);
+    if (*heavy.text && *light.text)
+        hm_say(text, "; '%s' has %3g times the mass of '%s', which it throws about where they come into line", heavy.text,
+               mass[heaviest] / mass[lightest], light.text);
 }
 
 static int has_dampers(const hm_model_file *f, const double *numbers)

@@ -6,15 +6,9 @@
 #ifndef HOLONOM_RUNGE_KUTTA_H
 #define HOLONOM_RUNGE_KUTTA_H
 
-#include "context.h"
 #include "force_rates.h"
 #include "half_step.h"
-#include "ledger.h"
-#include "norms.h"
-#include "put_back.h"
-#include "runge_kutta_methods.h"
 #include "stages.h"
-#include "start.h"
 
 enum { MOST_PASSES = 8 };
 #define SOFTER 1024.0           /* compliance of dependent rows in stages, over the usual: off the rows they would stop motion */
@@ -40,7 +34,7 @@ static int ends_explicitly(const context *c) { return c->s.head[S_HALVES] == 0.0
 /* Longest explicit step, where the last one was none. */
 HM_SELDOM static void find_longest(const context *c)
 {
-    context at = rows_at_state(c, 0.0);
+    context at = rows_at_state(c);
     take_unknowns(&at);
     c->s.head[S_LONGEST_EXPLICIT] = factorise_here(&at) ? 0.0 : longest_explicit(&at);
 }
@@ -381,7 +375,7 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
     const double t = c->t;
     double *before = c->k.pair_backup; /* which undo_step returns to */
     int held = 0;
-    context at = rows_at_state(c, 0.0);
+    context at = rows_at_state(c);
     take_unknowns(&at);
     c->h = h;
     c->halves = x->stages;

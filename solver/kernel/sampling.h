@@ -9,8 +9,6 @@
 #ifndef HOLONOM_SAMPLING_H
 #define HOLONOM_SAMPLING_H
 
-#include "composite.h"
-#include "context.h"
 #include "function.h"
 #include "laws.h"
 

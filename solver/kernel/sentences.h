@@ -6,6 +6,8 @@
 #include "model_file.h"
 #include "text.h"
 
+#include <string.h>
+
 enum { NAME_ROOM = 256 }; /* of a part of a sentence: names of scenes and parts have at most 200 characters */
 
 /* Where measurements lie among the numbers, which are not modified. */
@@ -14,6 +16,20 @@ static inline hm_measured hm_measured_in(const hm_model_file *f, const double *n
     hm_measured places;
     hm_map_measured(&f->model, (double *)(uintptr_t)(numbers + f->model.measured_at), &places);
     return places;
+}
+
+/* Place of a node, of moving ones at coordinates q (n). */
+static inline const double *hm_place_of_node(const holonom_model *m, const double *numbers, const double *q, int32_t node)
+{
+    const int32_t n_moving = m->n_free + m->n_driven;
+    return node < n_moving ? q + DIM * node : numbers + m->support_at + DIM * (node - n_moving);
+}
+
+/* Whether a row of rigidity is that of the body with a name of this length. */
+static inline int hm_is_of_body(const hm_model_file *f, int32_t row, const char *name, size_t length)
+{
+    const char *title = f->text + f->row[row].name + sizeof "body '" - 1;
+    return !strncmp(title, name, length) && title[length] == '\'';
 }
 
 /* Says what keeps a step from being solved. */

@@ -3,8 +3,6 @@
 #define HOLONOM_SHORT_PIECE_H
 
 #include "contact.h"
-#include "context.h"
-#include "ledger.h"
 #include "step_halving.h"
 
 /* Pieces shorter than this part of a usual step are stepped over by Taylor's series: half steps would divide the rounding

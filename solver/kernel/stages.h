@@ -2,13 +2,7 @@
 #ifndef HOLONOM_STAGES_H
 #define HOLONOM_STAGES_H
 
-#include "body_turns.h"
-#include "composite.h"
-#include "context.h"
-#include "elementary.h"
 #include "lanes.h"
-#include "ledger.h"
-#include "norms.h"
 #include "runge_kutta_methods.h"
 #include "inputs_signals.h"
 

@@ -2,15 +2,7 @@
 #ifndef HOLONOM_START_H
 #define HOLONOM_START_H
 
-#include "composite.h"
-#include "context.h"
-#include "energy.h"
-#include "forms.h"
-#include "function.h"
 #include "inputs_signals.h"
-#include "row_state.h"
-#include "step.h"
-#include "tangent.h"
 
 static int all_finite(const double *x, int64_t n)
 {
@@ -133,26 +125,23 @@ static int32_t derive_scales(context *c)
 #define AT_STATE 1.4142135623730951
 #define AT_STATE_PENALTY 1e8
 
-/* Context of the equations of solve_at_state, with links at the present state; with h > 0 those of a step of length h, with
-   springs and dampers. */
-static context rows_at_state(const context *c, double h)
+/* Context of the equations of solve_at_state, with links at the present state. */
+static context rows_at_state(const context *c)
 {
-    const double length2 = h > 0.0 ? 0.5 * h * h : 1.0;
     context rows = *c;
     rows.lu = &c->m->full;
-    rows.h = h > 0.0 ? h : AT_STATE;
-    rows.constraints_only = !(h > 0.0);
-    rows.at_state = 1;
+    rows.h = AT_STATE;
+    rows.constraints_only = rows.at_state = 1;
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
-    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = length2 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = 1.0 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
     return rows;
 }
 
-/* Factors of these equations. */
-static int32_t factorise_with_forces(const context *c, const double *weight, double h)
+/* Factors of these equations, of the mass matrix times node weights if given. */
+static int32_t factorise_at_state(const context *c, const double *weight)
 {
     const holonom_model *m = c->m;
-    const context rows = rows_at_state(c, h);
+    const context rows = rows_at_state(c);
     const int32_t status = assemble_tangent(&rows);
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
@@ -161,8 +150,6 @@ static int32_t factorise_with_forces(const context *c, const double *weight, dou
     }
     return factorise_matrix(&rows);
 }
-
-static int32_t factorise_at_state(const context *c, const double *weight) { return factorise_with_forces(c, weight, 0.0); }
 
 /* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the present links; a sliding
    row has mu - (that of its cone) = g instead. f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order
@@ -188,12 +175,31 @@ static void solve_with_factors(const context *c)
     }
 }
 
-/* Likewise with new factors, of the mass matrix times node weights if given. */
+/* Likewise for given `phi` and `momentum`: x in coordinates (overwritten), multipliers in mu. */
+static void solve_for(const context *c, double *x)
+{
+    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(x, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    solve_with_factors(c);
+    add_solution(c, x);
+}
+
+/* Likewise with new factors. */
 static int32_t solve_at_state(const context *c, const double *weight)
 {
     const int32_t status = factorise_at_state(c, weight);
     if (!status) solve_with_factors(c);
     return status;
+}
+
+/* Adds to momentum a force along the leaf `entry` of composite j. */
+static void add_leaf_force(const context *at, int32_t j, const int32_t *entry, const leaf_state *leaf, double force)
+{
+    for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
+        const local_form *local = (const local_form *)at->k.local + entry[2 + i];
+        add_gradient(at, at->m->composite_form[at->m->composite_form_ptr[j] + entry[2 + i]], force * leaf->p[i], local->um, local->wm,
+                     at->k.momentum);
+    }
 }
 
 /* Adds to momentum AT_STATE times the forces of elements with these coefficients at rates of what they measure in the motion x. */
@@ -210,11 +216,7 @@ static int32_t add_forces_of_elements(const context *at, int64_t coefficient_at,
         const int32_t status = set_leaf(at, entry, 0, &leaf);
         if (status) return status;
         quantity_at(at, entry[1], at->s.q, at->s.q_low, x, &rate);
-        for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
-            const local_form *local = (const local_form *)at->k.local + entry[2 + i];
-            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]], AT_STATE * coefficient * rate * leaf.p[i],
-                         local->um, local->wm, at->k.momentum);
-        }
+        add_leaf_force(at, j, entry, &leaf, AT_STATE * coefficient * rate);
     }
     return HOLONOM_OK;
 }
@@ -232,11 +234,7 @@ static int32_t residual_at_state(const context *at)
         if (!is_damped(at, j)) continue;
         if ((status = composite_slopes(at, j, 0, &unused))) break;
         const double share = damping_at_state(at, j, &power);
-        for (int32_t f = 0; f < m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]; f++) {
-            const local_form *local = (const local_form *)at->k.local + f;
-            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + f], AT_STATE * share * at->k.slope[f],
-                         local->um, local->wm, at->k.momentum);
-        }
+        add_slopes(at, j, AT_STATE * share);
     }
     if (is_reduced(at)) reduce_momentum(at);
     return status;
@@ -411,7 +409,7 @@ static void take_turns(context *rows, int turns)
 static void judge_rows(const context *c)
 {
     const holonom_model *m = c->m;
-    context rows = rows_at_state(c, 0.0);
+    context rows = rows_at_state(c);
     take_turns(&rows, m->n_reduced_values > 0);
     const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);
     for (int32_t island = 0; island < m->n_islands; island++) {

@@ -3,8 +3,6 @@
 
 #include "sentences.h"
 
-#include <string.h>
-
 /* Why a mechanism has no start, as far as the core tells. */
 static const char *about_start(int32_t status, int seeks_equilibrium)
 {

@@ -2,17 +2,8 @@
 #ifndef HOLONOM_STEP_H
 #define HOLONOM_STEP_H
 
-#include "body_turns.h"
-#include "composite.h"
-#include "context.h"
-#include "forms.h"
-#include "function.h"
 #include "newton.h"
-#include "policy_factors.h"
-#include "policy_penalty.h"
-#include "policy_stopping.h"
 #include "predict.h"
-#include "row_state.h"
 
 /* Length of usual steps: what a tolerance wants may be far from the option step_size. */
 static inline double usual_length(const context *c)

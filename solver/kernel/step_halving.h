@@ -2,11 +2,7 @@
 #ifndef HOLONOM_STEP_HALVING_H
 #define HOLONOM_STEP_HALVING_H
 
-#include "context.h"
 #include "extrapolation.h"
-#include "half_step.h"
-#include "inputs_signals.h"
-#include "predict.h"
 #include "runge_kutta.h"
 
 /* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
@@ -54,17 +50,20 @@ static double longest_now(const context *c, int order)
     return fmin(longest_of(c, order), 0.9 * MOST_TURNED / fmax(fastest_turn(c), fastest_angle(c)));
 }
 
-/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted. */
-static void undo_step(context *c, double t, double law_time)
+/* Goes back to the state `backup` of time t, with laws of law_time; what the step has cost stays counted. */
+static void restore_state(context *c, const double *backup, double t, double law_time)
 {
     const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS], as_pairs = c->s.head[S_AS_PAIRS];
-    memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
-    if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
+    take_state(c, backup);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     c->t = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
     c->s.head[S_AS_PAIRS] = as_pairs;
 }
+
+/* Takes an internal step back. */
+static void undo_step(context *c, double t, double law_time) { restore_state(c, c->k.pair_backup, t, law_time); }
 
 /* One internal step: pairs of half steps, a weighted cover of them, or an explicit one. */
 static int32_t internal_step(context *c, double h)
@@ -85,7 +84,7 @@ static int32_t internal_step(context *c, double h)
     if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0);
     c->way = COMPOSED;
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
-    memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
+    keep_state(c, c->k.pair_backup);
     int stages = 1;
     stage(order, 0, &stages);
     begin_halves(c, 2 * stages);
@@ -114,7 +113,7 @@ HM_OFTEN void lower_penalties(context *c)
 /* Keeps the state before a step that is divided: events may cut it. */
 static void keep_start(context *c)
 {
-    memcpy(c->k.event_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
+    keep_state(c, c->k.event_backup);
     c->divided = 1;
 }
 

@@ -7,40 +7,18 @@
 #define HOLONOM_STEPPED_H
 
 #include "active_contacts.h"
-#include "contact_modes.h"
-#include "context.h"
-#include "energy.h"
-#include "event.h"
-#include "half_step.h"
-#include "inputs_signals.h"
-#include "ledger.h"
-#include "predict.h"
-#include "short_piece.h"
-#include "step_halving.h"
 #include "velocity_stage.h"
 
 enum { MOST_DIVISIONS = 7 }; /* of a half step that fails */
 
 static double booked(const context *c, int account) { return c->s.head[account] + c->s.head[account + 1]; }
 
-static int has_closed(const context *c)
-{
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (is_closed(c, i)) return 1;
-    return 0;
-}
-
 /* One half step, which counts only if its ledger closes and contacts give no energy. */
 static int32_t try_half(context *c, double h, int half)
 {
-    const int parity = half % 2;
     const double before = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
     const double impact = booked(c, S_IMPACT), friction = booked(c, S_FRICTION);
-    c->h = h;
-    c->half = half;
-    if (c->m->sensing) sense(c, h, parity);
-    if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
-    signals_at(c, c->t + h, c->k.signal1);
+    const int parity = begin_half(c, h, half);
     forget_halves(c);
     int32_t status = solve_contacts(c, parity);
     if (status) return status;
@@ -60,7 +38,7 @@ static int32_t try_half(context *c, double h, int half)
 static int32_t stepped_half(context *c, double h, int half, int divisions)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
-    memcpy(c->k.stepped_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
+    keep_state(c, c->k.stepped_backup);
     int32_t status = HOLONOM_OK;
     for (c->careful = 0; c->careful <= has_smooth(c); c->careful++) {
         status = try_half(c, h, half);

@@ -8,68 +8,10 @@
 #ifndef HOLONOM_TANGENT_H
 #define HOLONOM_TANGENT_H
 
-#include "body_turns.h"
-#include "composite.h"
 #include "cone_tangent.h"
-#include "context.h"
-#include "forms.h"
-#include "function.h"
 #include "laws.h"
 #include "reduced_rows.h"
-#include "row_state.h"
 #include "square_rows.h"
-
-static const int32_t *row_stiffness(const context *c, int32_t f, double factor, const int32_t *slot, double *value)
-{
-    const holonom_model *m = c->m;
-    const int32_t begin = m->form_ptr[f], end = begin + m->form_free[f];
-    if (is_lean(c) || m->form_kind[f] & FORM_LINEAR) return slot;
-    for (int32_t p = begin; p < end; p++)
-        for (int32_t q = begin; q < end; q++) {
-            double same, quarter;
-            pair_stiffness(c, f, p, q, &same, &quarter);
-            if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) {
-                EACH(k) value[*slot++] += factor * same;
-                continue;
-            }
-            const double block[4] = {same, -quarter, quarter, same};
-            for (int k = 0; k < 4; k++) value[*slot++] += factor * block[k];
-        }
-    return slot;
-}
-
-static const int32_t *scatter_gradient(const context *c, int32_t f, double factor, const double *u, const double *w,
-                                       const int32_t *slot, double *value)
-{
-    const holonom_model *m = c->m;
-    for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
-        double g[DIM];
-        entry_gradient(c, f, e, u, w, g);
-        EACH(k) value[*slot++] += factor * g[k];
-    }
-    return slot;
-}
-
-/* Gradients of coincidence j: alpha I + alpha_turn J, `upper` and `lower` times. */
-static const int32_t *scatter_coincidence(const context *c, int32_t j, double upper, double lower, const int32_t *slot,
-                                          double *value)
-{
-    const holonom_model *m = c->m;
-    const int32_t f = m->coincidence_form[j];
-    for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
-        const double alpha = c->number[m->alpha_at + e];
-        if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) {
-            EACH(k) value[*slot++] += upper * alpha;
-            EACH(k) value[*slot++] += lower * alpha;
-            continue;
-        }
-        const double turn = c->number[m->alpha_turn_at + e];
-        const double block[4] = {alpha, -turn, turn, alpha}; /* d row/d node, row by row */
-        EACH(i) EACH(k) value[*slot++] += upper * block[DIM * k + i];
-        EACH(i) EACH(k) value[*slot++] += lower * block[DIM * i + k];
-    }
-    return slot;
-}
 
 /* Adds factor alpha_p alpha_q B for all pairs of free entries of form f, B (DIM x DIM). */
 static const int32_t *scatter_block(const context *c, int32_t f, double factor, const double *block,
@@ -239,24 +181,14 @@ static int32_t assemble_tangent(const context *c)
         EACH(k) if (c->lu->mass_slot[DIM * e + k] >= 0) value[c->lu->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
     clear_bodies(c, c->k.bend, TURNING * TURNING);
     EACH_FORM_ROW(c, i) {
-        const int32_t f = m->row_form[i], *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
-        motion g;
-        double u[DIM], w[DIM];
-        if (is_reduced(c) || is_square_row(c, i)) {
-            if (is_reduced(c)) reduced_row_tangent(c, i, slot, value);
-            else square_row_tangent(c, i, slot, value);
-            continue;
-        }
-        form_motion(c, f, &g);
-        row_function(c, i, &g, u, w);
-        slot = row_stiffness(c, f, c->theta * h * c->k.mu[i], slot, value);
-        slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
-        scatter_gradient(c, f, 1.0, u, w, slot, value);
+        const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
+        if (is_reduced(c) || !is_square_row(c, i)) row_tangent(c, i, slot, value);
+        else square_row_tangent(c, i, slot, value);
     }
     if (is_reduced(c)) inertia_tangent(c, value);
     const int32_t *slot = c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE)
-        slot = is_reduced(c) ? reduced_coincidence_tangent(c, j, slot, value) : scatter_coincidence(c, j, h, 1.0, slot, value);
+        slot = coincidence_tangent(c, j, slot, value);
     EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
     if (c->left_out && !is_open(c)) set_rows_apart(c, value);
     const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
@@ -289,9 +221,7 @@ static int32_t add_composites(const context *c)
             c->k.slip[row] = c->k.phi[row] / c->h;
             c->k.phi[row] = 0.0;
         }
-        const local_form *local = (const local_form *)c->k.local;
-        for (int32_t at = m->composite_form_ptr[j], f = 0; at < m->composite_form_ptr[j + 1]; at++, f++)
-            add_gradient(c, m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
+        add_slopes(c, j, factor);
     }
     if (n_frictions(m)) follow_cones(c);
     return HOLONOM_OK;
@@ -305,7 +235,6 @@ static int32_t nodal_residual(const context *c)
     clear_bodies(c, c->k.torque, TURNING);
     EACH_FORM_ROW(c, i) {
         motion g;
-        double u[DIM], w[DIM];
         if (c->at_state && c->k.mu[i] == 0.0) continue; /* rows of a state are not asked for here */
         if (is_axes_row(c, i)) {
             axes_row_residual(c, i);
@@ -316,7 +245,7 @@ static int32_t nodal_residual(const context *c)
             continue;
         }
         form_motion(c, m->row_form[i], &g);
-        c->k.phi[i] = row_function(c, i, &g, u, w);
+        c->k.phi[i] = c->k.phi0[i] + g.ds;
         add_gradient(c, m->row_form[i], c->h * c->k.mu[i], g.um, g.wm, c->k.momentum);
     }
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {

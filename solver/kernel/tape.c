@@ -1,6 +1,5 @@
 /* The tape: a list of scalar operations on the vector of numbers. Expressions of a scene are compiled to it,
    so that parameters, inputs and time take effect inside an FMU without any expression parser there.         */
-#include "holonom.h"
 #include "internal.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-static void append(hm_text *t, const char *from, size_t count)
+void hm_say_part(hm_text *t, const char *from, size_t count)
 {
     const size_t room = t->room - t->used - 1;
     if (count > room) /* not within a character of UTF-8, whose later bytes begin with the bits 10 */
@@ -17,12 +17,12 @@ static void append(hm_text *t, const char *from, size_t count)
     t->begin[t->used] = 0;
 }
 
-static void append_digit(hm_text *t, int digit) { append(t, &"0123456789"[digit], 1); }
+static void append_digit(hm_text *t, int digit) { hm_say_part(t, &"0123456789"[digit], 1); }
 
 static void say_fixed(hm_text *t, const decimal *d, int decimals)
 {
     for (int place = d->exponent > 0 ? d->exponent : 0; place >= -decimals; place--) {
-        if (place == -1) append(t, ".", 1);
+        if (place == -1) hm_say_part(t, ".", 1);
         append_digit(t, digit_at(d, d->exponent - place));
     }
 }
@@ -31,10 +31,10 @@ static void say_scientific(hm_text *t, const decimal *d, int decimals)
 {
     const int size = d->exponent < 0 ? -d->exponent : d->exponent;
     for (int k = 0; k <= decimals; k++) {
-        if (k == 1) append(t, ".", 1);
+        if (k == 1) hm_say_part(t, ".", 1);
         append_digit(t, digit_at(d, k));
     }
-    append(t, d->exponent < 0 ? "e-" : "e+", 2);
+    hm_say_part(t, d->exponent < 0 ? "e-" : "e+", 2);
     if (size >= 100) append_digit(t, size / 100);
     append_digit(t, size / 10 % 10);
     append_digit(t, size % 10);
@@ -44,9 +44,9 @@ static void say_scientific(hm_text *t, const decimal *d, int decimals)
 static void say_double(hm_text *t, double x, char style, int digits)
 {
     decimal d;
-    if (x < 0.0 || (x == 0.0 && signbit(x))) append(t, "-", 1);
+    if (x < 0.0 || (x == 0.0 && signbit(x))) hm_say_part(t, "-", 1);
     if (!(fabs(x) < INFINITY)) {
-        append(t, x != x ? "nan" : "inf", 3);
+        hm_say_part(t, x != x ? "nan" : "inf", 3);
         return;
     }
     decimal_of(x, style == 'r', &d);
@@ -83,13 +83,13 @@ void hm_say_all(hm_text *t, const char *format, va_list values)
         const char *plain = c;
         int digits = 0;
         while (*c && *c != '%') c++;
-        append(t, plain, (size_t)(c - plain));
+        hm_say_part(t, plain, (size_t)(c - plain));
         if (!*c) break;
         for (c++; *c >= '0' && *c <= '9'; c++) digits = 10 * digits + (*c - '0');
         if (*c == 's' || *c == 'u') {
             const char *text = va_arg(values, const char *);
-            append(t, " ", *c == 'u' && *text);
-            append(t, text, strlen(text));
+            hm_say_part(t, " ", *c == 'u' && *text);
+            hm_say_part(t, text, strlen(text));
         } else if (*c == 'd') say_double(t, va_arg(values, int), 'f', 0);
         else say_double(t, va_arg(values, double), *c, digits);
     }

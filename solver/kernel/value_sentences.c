@@ -3,8 +3,6 @@
 
 #include "sentences.h"
 
-#include <string.h>
-
 /* Word number `value` of an option, or NULL. */
 static const char *word_of(const hm_model_file *f, const hm_variable *v, double value)
 {

@@ -3,13 +3,7 @@
 #define HOLONOM_VELOCITY_PROJECTION_H
 
 #include "contact.h"
-#include "context.h"
-#include "energy.h"
-#include "ledger.h"
 #include "rigid.h"
-#include "row_state.h"
-#include "start.h"
-#include "tangent.h"
 
 /* Whether drivers or surfaces move, whose work is what a change of velocities adds to the kinetic energy and its losses. */
 static int is_driven(const context *c)
@@ -22,16 +16,19 @@ static int is_driven(const context *c)
     return moved > 0.0;
 }
 
+/* Velocities x (overwritten) and impulses (in mu) that change the rates of the rows by -phi. */
+static void velocities_for(const context *c, double *x)
+{
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    solve_for(c, x);
+}
+
 /* Part of the velocities that makes rows move which hold, with the other sign (hit_defect): a step leaves it by its order.
    It is orthogonal to all that rows allow, so that its energy is apart. Factors are those at the state.         */
 HM_SELDOM static void find_defect(const context *c)
 {
-    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
-    memset(c->k.hit_defect, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-    solve_with_factors(c);
-    add_solution(c, c->k.hit_defect);
+    velocities_for(c, c->k.hit_defect);
 }
 
 HM_SELDOM static void add_defect(const context *c, double sign)
@@ -43,11 +40,11 @@ HM_SELDOM static void add_defect(const context *c, double sign)
    drivers. */
 HM_SELDOM static int32_t project_velocities(context *c, int account)
 {
-    suspend_sliding(c, 1);
+    suspend_sliding(c, NULL, 1);
     stand_still(c);
     const int32_t status = factorise_at_state(c, NULL);
     if (!status) find_defect(c);
-    suspend_sliding(c, 0);
+    suspend_sliding(c, NULL, 0);
     if (status) return status;
     add_defect(c, 1.0);
     /* What was solved for near a singular configuration is not quite orthogonal: its own work is booked. */

@@ -6,17 +6,7 @@
 #ifndef HOLONOM_VELOCITY_STAGE_H
 #define HOLONOM_VELOCITY_STAGE_H
 
-#include "contact.h"
-#include "context.h"
-#include "energy.h"
-#include "event.h"
 #include "half_step_contacts.h"
-#include "ledger.h"
-#include "rigid.h"
-#include "row_state.h"
-#include "start.h"
-#include "tangent.h"
-#include "velocity_projection.h"
 
 static int island_has_contact(context *c)
 {
@@ -37,16 +27,6 @@ static void rates_to_stop(context *c)
     look_at(c, 0, c->m->n_islands);
 }
 
-/* Velocities x (overwritten) and impulses (in mu) that change the rates of the rows by -phi. */
-static void velocities_for(const context *c, double *x)
-{
-    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
-    memset(x, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    solve_with_factors(c);
-    add_solution(c, x);
-}
-
 /* Rates at which contacts would part by themselves, with the other sign in phi; e^2 of all that land, by their energies. */
 static double rates_of_landing(const context *c)
 {
@@ -63,16 +43,6 @@ static double rates_of_landing(const context *c)
         c->k.phi[row] = -e * speed;
     }
     return taken > 0.0 ? given / taken : 0.0;
-}
-
-/* Switches sliding frictions off for the second stage as suspend_sliding does, or on again, but for those of contacts that
-   land. */
-static void suspend_resting(const context *c, int suspended)
-{
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        double *x = friction_of(c, f);
-        if (c->k.lands[f] == 0.0 && x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
-    }
 }
 
 /* Adds x to the velocities and books what its impulses (in mu) take; the rest of the change of energy is work. */
@@ -180,7 +150,7 @@ static int32_t part_contacts(context *c, double taken, int parity)
     for (int32_t f = 0; f < m->n_frictions; f++) c->k.lands[f] = 0.0;
     for (int32_t i = 0; i < m->n_contacts; i++)
         if (m->contact_friction[i] >= 0) c->k.lands[m->contact_friction[i]] = is_landing(c, i);
-    suspend_resting(c, 1);
+    suspend_sliding(c, c->k.lands, 1);
     int32_t status = velocities_of_parting(c, taken, driven);
     if (!status) add_velocities(c, c->k.hit_defect, driven);
     for (int32_t i = 0; i < m->n_contacts && !status; i++) {
@@ -191,12 +161,12 @@ static int32_t part_contacts(context *c, double taken, int parity)
         own[C_IMPULSE] -= c->h * c->s.mu[parity][row] + c->k.event_mu[row];
         c->s.head[S_EVENTS] += 1.0;
     }
-    suspend_resting(c, 0);
+    suspend_sliding(c, c->k.lands, 0);
     if (!status && stop_reversed(c)) {
-        suspend_resting(c, 1);
+        suspend_sliding(c, c->k.lands, 1);
         status = velocities_of_stopping(c);
         if (!status) add_velocities(c, c->k.hit_defect, driven);
-        suspend_resting(c, 0);
+        suspend_sliding(c, c->k.lands, 0);
     }
     for (int32_t i = 0; i < m->n_contacts && !status; i++)
         if (is_closed(c, i) && gap_rate(c, i) > speed_tolerance(c)) open_contact(c, i);

@@ -21,7 +21,7 @@ from collections.abc import Sequence
 from itertools import product
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.formulas import leaf_symbol, rewritten
+from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.mechanism import Contact, Formula, Friction, Leaf, Mechanism, Scale
 from solver.mechanics.parts import CompliantContact, JointParts
@@ -261,10 +261,8 @@ def add_contact(
     if slips:
         assert isinstance(contact, RubbingContact)
         assert contact.friction is not None
-        sliding = contact.friction
-        static = sliding if contact.static_friction is None else contact.static_friction
-        if contact.static_friction is not None:
-            rows.rule(static - sliding, ">=", "static_friction - friction must be >= 0")
+        sliding, words = contact.friction, "static_friction - friction"
+        static = rows.static(sliding, contact.static_friction, words)
         slip_rows = tuple(rows.velocity(slip, METRES)[1] for slip in slips)
         friction = len(mechanism.frictions)
         smooth = 0.0 if contact.smooth_speed is None else contact.smooth_speed
@@ -323,7 +321,7 @@ def _demand_free(rows: Rows, contact: Touching, gap: Formula, unit: str, end: st
 def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Number:
     """Return a number over leaves for what these are as drawn."""
     drawn = {leaf_symbol(k): mechanism.drawn_value(leaf.index) for k, leaf in enumerate(leaves)}
-    return rewritten(value, lambda part: drawn.get(part, part) if part.op == "symbol" else None)
+    return with_symbols(value, drawn)
 
 
 CONTACTS = {

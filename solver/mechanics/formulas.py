@@ -45,6 +45,11 @@ def rewritten(number: Number, replace: Callable[[Expr], Number | None]) -> Numbe
     return walk(number)
 
 
+def with_symbols(number: Number, meanings: Mapping[Expr, Number]) -> Number:
+    """Return a number with these meanings in the place of some symbols."""
+    return rewritten(number, lambda x: meanings.get(x, x) if x.op == "symbol" else None)
+
+
 def refuse_switches(value: Number) -> None:
     """Raise `ExpressionError` if what a formula decides, or the sign it takes, moves."""
 

@@ -183,10 +183,7 @@ def _add_friction(pair: Pair, friction: JointFriction) -> None:
     formulas = [Formula(factor * leaf_symbol(0), (leaf,)) for factor, leaf in slips]
     size = RADIANS if found.displacement is None else METRES
     slip_rows = tuple(rows.velocity(x, size)[1] for x in formulas or _turning_rates(pair))
-    static = friction.coefficient
-    if friction.static is not None:
-        static = friction.static
-        rows.rule(static - friction.coefficient, ">=", "static - coefficient must be >= 0")
+    static = rows.static(friction.coefficient, friction.static, "static - coefficient")
     found.friction = len(mechanism.frictions)
     cones = arm * friction.coefficient, arm * static, friction.preload
     smooth = 0.0 if friction.smooth_speed is None else friction.smooth_speed

@@ -13,7 +13,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.mechanics.derivative import SLOPES
+from solver.mechanics.derivative import derivative
+from solver.mechanics.formulas import leaf_symbol
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.layout import (
     CODES,
@@ -24,21 +25,20 @@ from solver.runtime.layout import (
     QUANTITY_ANGLE,
     QUANTITY_LENGTH,
 )
+from solver.scene import Number, evaluate
 from solver.scene.expression import FUNCTIONS, INFIX, Curve, operate
 
 Array = NDArray[np.float64]
 Pair = Callable[[Array], tuple[Array, Array]]
 """Values (m,) of functions of the coordinates q (n,), and their gradients (m, n)."""
-Formula = tuple[list[int], list[list[int]]]
-"""Quantities that are its leaves, and its operations."""
+Formula = tuple[list[int], Number, list[Number], list[list[Number]]]
+"""Quantities that are its leaves, its value, first and second derivatives in these."""
 
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 TURN = 2.0 * np.pi
 SUBTRACT = CODES.index("sub")
 LAWS, SIGNALS = 1, 2
 """Segments of the tape (``solver.mechanics.tape``)."""
-NEAR = 1e-5
-"""Change of a leaf, relative, over which second derivatives of formulas are differences."""
 
 
 class Matrices:
@@ -87,7 +87,7 @@ class Matrices:
                 self._driven[j], operations[j] = piece[1][1], []
         self._refuse(model, pieces[count:])
         self._read_forms(model.sizes["n_free"])
-        functions = list(zip(leaves[count:], operations, strict=True))
+        functions = [*map(self._read_formula, leaves[count:], operations)]
         self._function_rows, self._potentials = functions[:rows], functions[rows:]
         self._stored_start = integrator.state.head["stored_start"]
         self._known: dict[tuple[str, bytes], tuple[Array, Array]] = {}
@@ -338,11 +338,8 @@ class Matrices:
         change = self.energies(q)[0].sum() - self._energy_start + stored
         sizes = head["energy_reference"], 0.5 * float(v @ self.M @ v), abs(float(change))
         head["energy_reference"] = max(sizes)
-        head["mean_time_before"], head["mean_time"], head["time"] = (
-            head["mean_time"],
-            head["time"],
-            t,
-        )
+        head["mean_time_before"], head["mean_time"] = head["mean_time"], head["time"]
+        head["time"] = t
         state["mean_before"][:] = state["mean"]
         state["mean"][:] = 0.5 * (state["mu_first"] + mu)
         state["q"][:], state["v"][:], state["mu_first"][:] = q, v, mu
@@ -355,43 +352,37 @@ class Matrices:
             quaternion[:] = _quaternion(q[3 * node : 3 * node + 9].reshape(3, 3).T, quaternion)
         integrator.set([], [])  # outputs are measured anew
 
-    def _formula(self, function: Formula, q: Array) -> tuple[float, Array]:
-        """Value of a formula and its gradient (n,)."""
-        values, gradients = (x[function[0]] for x in self.quantities(q))
-        value, slopes = self._operations(function, values)
-        return value, slopes @ gradients
-
-    def _formula_hessian(self, function: Formula, q: Array) -> Array:
-        """Second derivatives (n, n) of a formula; those in its leaves are differences."""
-        values, gradients = (x[function[0]] for x in self.quantities(q))
-        slopes = self._operations(function, values)[1]
-        H = np.zeros((len(q), len(q)))
-        for k, slope in zip(function[0], slopes, strict=True):
-            H += slope * self._quantity_hessian(k, q)
-        for e in np.diag(NEAR * np.maximum(np.abs(values), 1e-2)):
-            change = self._operations(function, values + e)[1]
-            change = change - self._operations(function, values - e)[1]
-            H += np.outer((e != 0.0) @ gradients, change @ gradients) / (2.0 * e.sum())
-        return 0.5 * (H + H.T)
-
-    def _operations(self, function: Formula, x: Array) -> tuple[float, Array]:
-        """Value of a formula and its slopes in its leaves x, by the chain rule."""
-        known = [*zip(x.tolist(), np.eye(len(x)), strict=True)]
-        for code, *places in function[1]:
+    def _read_formula(self, leaves: list[int], operations: list[list[int]]) -> Formula:
+        known: list[Number] = [leaf_symbol(k) for k in range(len(leaves))]
+        names = [*map(str, known)]
+        for code, *places in operations:
             name, given = CODES[code], places[: _count(CODES[code])]
-            numbers = [known[a][0] if a >= 0 else float(self._numbers[-1 - a]) for a in given]
-            if name in ("copy", "select"):
-                chosen = 0 if name == "copy" else 1 if numbers[0] else 2
-                slope = known[given[chosen]][1] if given[chosen] >= 0 else np.zeros(len(x))
-                known.append((numbers[chosen], slope))
-                continue
-            args: list = list(numbers)
+            args: list = [known[a] if a >= 0 else float(self._numbers[-1 - a]) for a in given]
             if name.startswith("spline"):
                 args.append(Curve(name, self._numbers[-1 - places[1] : -places[2]].tolist()))
-            slopes = zip(given, SLOPES.get(name, ()), strict=False)
-            parts = [float(slope(*args)) * known[a][1] for a, slope in slopes if a >= 0]  # type: ignore[arg-type]
-            known.append((float(operate(name, *args)), sum(parts, np.zeros(len(x)))))  # type: ignore[arg-type]
-        return known[-1]
+            known.append(args[0] if name == "copy" else operate(name, *args))
+        slopes = [derivative(known[-1], x) for x in names]
+        return leaves, known[-1], slopes, [[derivative(y, x) for x in names] for y in slopes]
+
+    def _formula(self, function: Formula, q: Array) -> tuple[float, Array]:
+        """Value of a formula and its gradient (n,)."""
+        leaves, value, slopes, _ = function
+        values, gradients = (x[leaves] for x in self.quantities(q))
+        return _evaluated([value], values)[0], _evaluated(slopes, values) @ gradients
+
+    def _formula_hessian(self, function: Formula, q: Array) -> Array:
+        """Second derivatives (n, n) of a formula."""
+        leaves, _, slopes, bends = function
+        values, G = (x[leaves] for x in self.quantities(q))
+        H = G.T @ np.array([_evaluated(row, values) for row in bends]) @ G
+        for k, slope in zip(leaves, _evaluated(slopes, values), strict=True):
+            H += slope * self._quantity_hessian(k, q)
+        return H
+
+
+def _evaluated(numbers: list[Number], leaves: Array) -> Array:
+    known = {str(leaf_symbol(k)): x for k, x in enumerate(leaves.tolist())}
+    return np.array([evaluate(number, known) for number in numbers])
 
 
 def _quaternion(R: Array, near: Array) -> Array:

@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
-from solver.mechanics.formulas import leaf_symbol, rewritten
+from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.parts import JointParts
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
@@ -212,13 +212,8 @@ def _tension(
         return force.constant * force.masses[0] * force.masses[1] / (value * value)
     if not isinstance(force, Spring) or force.energy is None:
         return Ref("element_force", sensors.parts.elements[name])
-
-    def seen(part: Expr) -> Number | None:
-        if part.op != "symbol":
-            return None
-        return sensors.value(length) if part == symbol("length") else part
-
-    return rewritten(derivative(force.energy, "length"), seen)
+    slope = derivative(force.energy, "length")
+    return with_symbols(slope, {symbol("length"): sensors.value(length)})
 
 
 # ------------------------------------------------------------------------------------ contacts
@@ -259,18 +254,13 @@ def _of_a_compliant_contact(sensors: Sensors, name: str) -> Found:
     gaps: list[Number] = []
     force: Number = 0.0
     for found in sensors.parts.compliant[name]:
-        own = leaf_symbol(0)
-        value = sensors.value(Ref("quantity", found.quantity))
+        seen = {leaf_symbol(0): sensors.value(Ref("quantity", found.quantity))}
         rate = sensors.value(Ref("quantity_rate", found.quantity))
-
-        def seen(part: Expr, own: Expr = own, value: Expr = value) -> Number | None:
-            return (value if part == own else part) if part.op == "symbol" else None
-
-        gaps.append(rewritten(found.gap, seen))
+        gaps.append(with_symbols(found.gap, seen))
         # Where it is pressed in, depth and gap have opposite rates.
-        speed = -1.0 * rewritten(derivative(found.gap, "#0"), seen) * rate
+        speed = -1.0 * with_symbols(derivative(found.gap, "#0"), seen) * rate
         share = operate("max", 1.0 + found.damping * speed, 0.0)
-        force = force + rewritten(found.force, seen) * share
+        force = force + with_symbols(found.force, seen) * share
     gap = gaps[0] if len(gaps) == 1 else operate("min", *gaps)
     return {"gap": gap, "force": force}
 

@@ -135,6 +135,13 @@ class Rows:
         rows.append(FunctionRow(formula, scale, self.row("velocity")))
         return "velocity", len(rows) - 1
 
+    def static(self, sliding: Number, static: Number | None, words: str) -> Number:
+        """Return the coefficient of what sticks, that of what slides or more."""
+        if static is None:
+            return sliding
+        self.rule(static - sliding, ">=", f"{words} must be >= 0")
+        return static
+
     def close(self) -> int | None:
         """Add the reaction of these rows to what is measured; return its index."""
         if not self.entries:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.formulas import rewritten
+from solver.mechanics.formulas import with_symbols
 from solver.mechanics.mechanism import FIXED
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.structure import Structure
@@ -96,17 +96,11 @@ class Sensors:
     def pushed(self, found: JointParts) -> Vector:
         """Return the force -sum mu slope direction of the rows of a joint."""
         total: Vector = (0.0,) * self.parts.mechanism.dim
+        seen = {symbol(x): self.value(Ref("quantity", y.index)) for x, y in found.own.items()}
         for row, slope, direction in found.pushes:
-            seen = rewritten(slope, lambda x: self._own(x, found)) if found.own else slope
-            force = -1.0 * self.multiplier(row) * seen
+            force = -1.0 * self.multiplier(row) * (with_symbols(slope, seen) if seen else slope)
             total = add(total, scale(force, self.vector(direction)))
         return total
-
-    def _own(self, part: Expr, found: JointParts) -> Number | None:
-        if part.op != "symbol":
-            return None
-        leaf = found.own.get(str(part.args[0]))
-        return part if leaf is None else self.value(Ref("quantity", leaf.index))
 
     def motion(self, place: Combination) -> tuple[Values, Values]:
         """Return position and velocity of a place: measurements, or numbers where it stays."""

@@ -93,8 +93,9 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
     alpha, phi_n, found = method.alpha + 0.0 * lam, problem.phi.value(at.q), list[Iteration]()
     phi_n = phi_n - problem.u(at.t)
     size = extent * np.abs(problem.phi.gradient(at.q)).sum(axis=1)
-    mass, last, defect, K = np.sqrt(np.diag(problem.M)), np.inf, np.inf, None
-    now, updated = trial(problem, method, at, h, w), 0
+    mass, last, K = np.sqrt(np.diag(problem.M)), np.inf, None
+    defect = before = np.inf
+    now, updated, remedy = trial(problem, method, at, h, w), 0, "smaller step_size"
     for newton in range(1, 2001):  # most are needed where updates contract slowly
         if K is None:
             K = np.linalg.inv(tangent(problem, method, at, h, now, mu))
@@ -121,8 +122,11 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
             return Moment(at.t + h, at.q + now.d, v, mu if updates else lam, tuple(found))
         if updates:  # eqs 16, 27
             lam, updated = lam + alpha * (0.5 * held if ends else held), newton
+    else:
+        if updates and 0.5 * before < defect < before:
+            remedy = "larger penalty"  # each update takes its part of what the rows miss
     text = f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows off by {defect:.1e})"
-    raise StepError(text + "; a smaller step_size usually helps")
+    raise StepError(text + f"; a {remedy} usually helps")
 
 
 def motion(problem: Problem, method: Method, h: float, t: float = 0.0) -> Iterator[Moment]:

@@ -8,6 +8,8 @@ import warnings
 from collections.abc import Callable, Iterable
 from enum import IntEnum
 
+from solver.options import removed
+
 LARGEST = sys.float_info.max
 
 
@@ -44,13 +46,13 @@ class OptionError(ValueError):
 
 
 class UnknownNameError(OptionError, KeyError):
-    """There is no variable of this name; `known` are those there are."""
+    """There is no variable of this name; `known` are those there are. Says where one has gone."""
 
     def __init__(self, name: str, known: Iterable[str]) -> None:
         from difflib import get_close_matches  # only where a name is wrong
 
-        near = get_close_matches(name, known, 1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
+        gone, near = removed(name), get_close_matches(name, known, 1)
+        hint = f": {gone}" if gone else f"; did you mean {near[0]!r}?" if near else ""
         super().__init__(f"no variable is named {name!r}{hint}")
 
     __str__ = ValueError.__str__  # KeyError's is the message in quotation marks

@@ -345,8 +345,8 @@ BODY_UNKNOWNS = 6
 """Of a body in space: its turn and its place."""
 LEAST_WITH_JOINT, MOST_WITH_JOINT = 9, 12
 """Those of a group of a body in space and the rows of its joint."""
-MOST_SIDES = 8
-"""Unknowns of a form u . w: u and w are links of two places, which have two unknowns at most."""
+MOST_SIDES = 16
+"""Unknowns of a form u . w: u and w are links of two places, which have four nodes at most."""
 
 CONTACT_MODES = ("open", "closed", "slides")
 """Of a contact, as its output `mode` shows them."""

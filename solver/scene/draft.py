@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from solver.options import removed
 from solver.scene.expression import Curve
 from solver.scene.fields import BROKEN, Part, fields_of, shown
-from solver.scene.report import Path, Problem, SceneError, Source
+from solver.scene.report import Path, Problem, SceneError, Source, location_of
 from solver.scene.scene import TABLES, TYPES
 from solver.scene.words import did_you_mean, nearest
 
@@ -188,7 +188,7 @@ class Draft:
                 self.error(path, f"'{name}' is missing", how)
         for name in unknown:
             help = did_you_mean(name, fields, "known fields", "fields")
-            gone = removed(name) if path == ("solver",) else ""
+            gone = removed(location_of((*path, name)))
             self.error((*path, name), gone or "unknown field", "leave it out" if gone else help)
         return SimpleNamespace(**given)
 

@@ -226,14 +226,28 @@ def test_what_the_method_does_not_take_is_refused_with_part_and_remedy(name: str
         ({"formulation": "leapfrog"}, "formulation: must be one of conserving-al,"),
         ({"formulation": "midpoint-penalty", "penalty": -1.0}, "penalty: must be .* > 0, got -1"),
         ({"formulation": "penalty-velocity", "xi": "a"}, "xi: must be a finite number >= 0"),
-        ({"algorithm": "nested", "tolerance": 1e-6}, "tolerance: .* no such setting"),
+        (
+            {"algorithm": "nested", "tolerance": 1e-6},
+            "tolerance: .* no such setting; leave it out, or, for the core, leave algorithm out",
+        ),
+        ({"formulation": "midpoint-al", "penatly": 1.0}, "penatly'; did you mean 'solver.penalty'"),
+        ({"xi": 1.0, "algoritm": "nested"}, "algoritm'; did you mean 'solver.algorithm'"),
+        ({"xi": 1.0, "paired": True}, "'paired' left in version 2.0: half steps always come in"),
         ({"xi": 1.0, "inputs": {"pull": lambda t: t}}, "pull: .* no inputs that change"),
     ],
-    ids=["formulation", "penalty", "xi", "tolerance", "inputs"],
+    ids=["formulation", "penalty", "xi", "tolerance", "penatly", "algoritm", "paired", "inputs"],
 )
 def test_a_wrong_argument_is_refused_with_its_rule(given: dict[str, Any], words: str):
     with pytest.raises(OptionError, match=words):
         solver.simulate(scene(double_pendulum()), **given)
+
+
+@pytest.mark.parametrize("algorithm", ["nested", "simultaneous"])
+def test_a_penalty_under_which_updates_contract_too_slowly_is_to_be_larger(algorithm: str):
+    # Each update leaves 1/(1 + 1e-3) of what the rows miss, whatever the step.
+    given = {"formulation": "conserving-al", "algorithm": algorithm, "stop_time": 0.01}
+    with pytest.raises(StepError, match=r"did not converge .*; a larger penalty usually helps"):
+        solver.simulate(scene(double_pendulum()), step_size=0.01, penalty=1e-3, **given)
 
 
 def test_a_trajectory_has_every_step_with_what_its_iterations_did():

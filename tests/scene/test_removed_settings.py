@@ -30,6 +30,8 @@ def test_a_setting_of_before_says_where_it_went(name):
     of_paper = rf"{name}: must be" if name in PAPER else told
     with pytest.raises(solver.OptionError, match=of_paper):
         solver.simulate(SCENE, **{name: "exact"})
+    with pytest.raises(solver.OptionError, match=told):
+        solver.simulate(SCENE, parameters={f"solver.{name}": "exact"})
     with pytest.raises(UsageError, match=told):
         run_fmu(scene_fmu("double_pendulum"), settings={f"solver.{name}": "exact"})
 

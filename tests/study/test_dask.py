@@ -13,7 +13,7 @@ import build_fmu
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study import dask_workers
 from build_fmu.study.engines import engine_of
-from build_fmu.study.processes import DIED, Task
+from build_fmu.study.processes import DIED, Task, together
 from tests.ending_jobs import FATAL, lost, slow, square
 from tests.fmu_instance import pendulum
 
@@ -78,9 +78,10 @@ def test_jobs_come_back_as_they_end(engine, monkeypatch):
 
 
 def test_short_jobs_go_together_and_long_ones_alone():
-    assert dask_workers.jobs_together(0.0) == dask_workers.MOST_TOGETHER
-    assert dask_workers.jobs_together(0.05) == 4
-    assert dask_workers.jobs_together(1e3) == 1
+    limits = dask_workers.TOGETHER, dask_workers.MOST_TOGETHER
+    assert together(0.0, 1, *limits) == dask_workers.MOST_TOGETHER
+    assert together(0.1, 2, *limits) == 4
+    assert together(1e3, 1, *limits) == 1
 
 
 @pytest.mark.parametrize(("given", "words"), [(3, "got int"), (None, "got NoneType")])
