@@ -5,6 +5,8 @@ García Orden & Ortega, eqs 15, 16 and 26, 27; Hestenes 1969 and Powell 1969 for
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -40,6 +42,20 @@ def test_an_update_removes_an_initial_defect_in_one_step():
     motion = move(integrator, 0.01, 8)
     assert motion.phi[0, 0] == pytest.approx(2.0001e-4, rel=1e-9)
     assert np.abs(motion.phi[1:]).max() < 1e-14
+
+
+def test_a_defect_is_told_in_the_size_of_its_row_and_in_the_energy_that_it_means():
+    """Of a rod L long Phi/L^2 is (1 + e)^2 - 1, its rate 2 (1 + e) u/L at a speed u along it."""
+    integrator = start(pendulum(ANGLE, RATE, mass=2.0, length=0.5), h=0.01)
+    q, v = view(integrator, "q"), view(integrator, "v")
+    v += 1e-3 * q / 0.5
+    q *= 1 + 1e-4
+    assert integrator["constraint.position"] == pytest.approx(2.0001e-4, rel=1e-9)
+    assert integrator["constraint.velocity"] == pytest.approx(2 * 1.0001 * 1e-3 / 0.5, rel=1e-9)
+    gained = 0.5 * 2.0 * 1e-3**2 - 2.0 * 9.81 * 0.5 * 1e-4 * math.cos(ANGLE)
+    assert integrator["energy.balance"] == pytest.approx(gained, rel=1e-9)
+    of_start = 0.5 * 2.0 * (0.5 * RATE) ** 2
+    assert integrator["energy.error"] == pytest.approx(abs(gained) / of_start, rel=1e-9)
 
 
 @pytest.mark.parametrize("penalty", [1e6, 1e10])

@@ -105,6 +105,20 @@ def test_a_damper_takes_c_times_the_square_of_what_it_slows_in_every_step(name, 
 
 
 @DIMENSIONS
+@pytest.mark.parametrize("name", DAMPERS)
+def test_a_damper_is_said_to_pull_with_c_times_the_rate_of_what_it_slows(name, dimension):
+    text, slowed, c = DAMPERS[name]
+    errors, steps = [], [0.02, 0.01, 0.005]
+    for h in steps:
+        run = joined(dimension, text, h, stop=2.0)
+        force = run["law.torque" if name == "torsion damper" else "law.force"][1:-1]
+        rate = (run[slowed][2:] - run[slowed][:-2]) / (2 * h)
+        errors.append(np.abs(force - c * rate).max() / np.abs(force).max())
+    assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.1)
+    assert errors[-1] < 2e-4
+
+
+@DIMENSIONS
 @STEPS
 @pytest.mark.parametrize("name", TORQUES)
 def test_a_torque_at_a_joint_does_torque_times_angle(name, h, dimension):
