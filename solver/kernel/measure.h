@@ -4,6 +4,7 @@
 
 #include "contact.h"
 #include "rigid.h"
+#include "runge_kutta.h"
 
 /* The states below are mapped for writing, as a step's are, and not modified. */
 HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double *state, double *work, double *phi,
@@ -46,12 +47,34 @@ static void extrapolate(const context *c, int32_t n, const double *mean, const d
     for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
 }
 
-/* Multipliers, and the forces along rods, 2 mu |u|, positive in tension. */
-static void measure_rows(const context *c, const hm_measured *y)
+/* Multipliers and forces on driven nodes that the state asks for. Half steps tell their means, to order 2 whatever the order of the
+   motion is. With equal steps means stand: they are what acts in steps that may be longer than what swings. */
+HM_SELDOM static void forces_of_state(context *c, const hm_measured *y)
+{
+    const size_t bytes = sizeof(double) * (size_t)c->state_size;
+    const double last = c->s.head[S_STEP_SIZE];
+    double *a = c->k.estimate, *mu = c->k.stages;
+    context at = rows_at_state(c);
+    memcpy(c->k.whole_backup, c->s.head, bytes);
+    memcpy(mu, y->multiplier, sizeof(double) * (size_t)c->m->n_rows);
+    take_unknowns(&at);
+    int32_t status = factorise_here(&at);
+    follow_signals(c, c->t - last, last, 1.0);
+    laws_within(&at, c->t - last, last, 1.0);
+    EACH_ISLAND(&at, island) status = status ? status : accelerate(&at, a, mu);
+    if (!status && c->m->n_driven) status = hold_driven(&at, a, mu, y->driven_force);
+    if (!status) memcpy(y->multiplier, mu, sizeof(double) * (size_t)c->m->n_rows);
+    memcpy(c->s.head, c->k.whole_backup, bytes);
+}
+
+/* Multipliers, forces on driven nodes, and the forces along rods, 2 mu |u|, positive in tension. */
+static void measure_rows(context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];
     extrapolate(c, m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
+    extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
+    if (c->s.head[S_TOLERANCE] > 0.0 && !is_unilateral(m) && c->s.head[S_MEAN_TIME] != c->t) forces_of_state(c, y);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
         y->rod_force[i] = y->multiplier[i] * 2.0 * sqrt(dot(u, u));
@@ -90,7 +113,6 @@ static void measure_reactions(const context *c, const hm_measured *y)
         if (entry[1] == REACTION_FORCE) EACH(k) force[k] += factor * w[k];
         else for (int k = 0; k < TURNING; k++) torque[k] += factor * moment[k];
     }
-    extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
 
 /* Contacts: gap, force, mode, impacts, impulse; frictions: force, slip, mode; losses. A friction

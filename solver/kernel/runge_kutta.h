@@ -290,15 +290,14 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     return HOLONOM_OK;
 }
 
-/* Forces on driven nodes at the state, with its accelerations and multipliers. */
-HM_SELDOM static int32_t hold_driven(const context *at)
+/* Forces on driven nodes at the state, of accelerations a and multipliers mu. */
+HM_SELDOM static int32_t hold_driven(const context *at, const double *a, const double *mu, double *force)
 {
     const int32_t first = DIM * at->m->n_free;
-    memcpy(at->k.w, at->s.a[0], sizeof(double) * (size_t)(DIM * at->n_moving));
-    memcpy(at->k.mu, at->s.mu[0], sizeof(double) * (size_t)at->m->n_rows);
+    memcpy(at->k.w, a, sizeof(double) * (size_t)(DIM * at->n_moving));
+    memcpy(at->k.mu, mu, sizeof(double) * (size_t)at->m->n_rows);
     const int32_t status = residual_at_state(at);
-    for (int half = 0; half < 2; half++)
-        for (int32_t k = first; k < DIM * at->n_moving; k++) at->s.driven[half][k - first] = at->k.momentum[k] / AT_STATE;
+    for (int32_t k = first; k < DIM * at->n_moving; k++) force[k - first] = at->k.momentum[k] / AT_STATE;
     return status;
 }
 
@@ -311,7 +310,8 @@ HM_SELDOM static int32_t remember_end(context *c, context *at)
     int32_t status = accelerate_all(at);
     memcpy(c->s.a[1], c->s.a[0], sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.mu[1], c->s.mu[0], sizeof(double) * (size_t)c->m->n_rows);
-    if (c->m->n_driven && !status) status = hold_driven(at);
+    if (c->m->n_driven && !status) status = hold_driven(at, c->s.a[0], c->s.mu[0], c->s.driven[0]);
+    memcpy(c->s.driven[1], c->s.driven[0], sizeof(double) * (size_t)(DIM * c->m->n_driven));
     average_multipliers(c, c->t);
     c->s.head[S_HALVES] = 0.0;
     c->s.head[S_KNOWN] = 1.0;

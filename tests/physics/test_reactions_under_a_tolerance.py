@@ -1,0 +1,80 @@
+"""Under a tolerance reactions are those of the state at the end of a step, at every order.
+
+Newton's law along a rod, T = m (g cos a + l w^2), of places and velocities that the run itself
+tells, so that errors of the path do not count; a driver's torque is J a'' + m g l sin a.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import solver
+
+PENDULUM = """
+name = "p"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = {{ position = [0, 0], fixed = true }}
+P = {{ position = [0.6, -0.8], mass = 2.0 }}
+[joints]
+rod = {{ type = "distance", points = ["O", "P"] }}
+[forces]
+air = {{ type = "damper", points = ["P", "W"], damping = {damping} }}
+[points.W]
+position = [3, 0]
+fixed = true
+[solver]
+tolerance = {tolerance}
+order = {order}
+"""
+"""A rod of 1 m; its damper to the wall W pulls along the line to it."""
+
+DRIVEN = """
+name = "d"
+gravity = [0, 0, -9.81]
+[bodies]
+arm = {{ position = [0.5, 0, 0], mass = 2.0, inertia = [0.1, 0.2, 0.3] }}
+[joints.hinge]
+type = "revolute"
+bodies = ["ground", "arm"]
+position = [0, 0, 0]
+axis = [0, -1, 0]
+[drivers]
+motor = {{ type = "angle", joint = "hinge", value = "sin(2*t)" }}
+[solver]
+tolerance = {tolerance}
+order = {order}
+"""
+
+
+@pytest.mark.parametrize("order", [2, 4, 6, 8])
+@pytest.mark.parametrize("damping", [0.0, 0.5])
+def test_a_rod_pulls_as_newtons_law_asks_for_at_the_end_of_a_step(order, damping):
+    text = PENDULUM.format(damping=damping, tolerance=1e-6, order=order)
+    run = solver.Integrator(solver.assemble(solver.loads(text)))
+    for _ in range(10):
+        run.advance(run.time, 0.1)
+        x, y, vx, vy = (float(run[f"P.{name}"]) for name in ("x", "y", "vx", "vy"))
+        to_wall = math.hypot(3.0 - x, y)
+        along = ((3.0 - x) / to_wall, -y / to_wall)
+        of_damper = -damping * (vx * along[0] + vy * along[1])  # on P, towards W
+        inward = (-x, -y)
+        pull = 2.0 * (vx**2 + vy**2) + 2.0 * 9.81 * -y
+        pull -= of_damper * (along[0] * inward[0] + along[1] * inward[1])
+        # Rows and their rates hold to the tolerance, which the pull multiplies by 2 v^2, and 2 g.
+        assert abs(float(run["rod.force"]) - pull) < 60.0 * 1e-6
+
+
+@pytest.mark.parametrize("order", [2, 4, 6, 8])
+def test_a_driver_holds_what_its_formula_asks_for_at_the_end_of_a_step(order):
+    run = solver.Integrator(
+        solver.assemble(solver.loads(DRIVEN.format(tolerance=1e-6, order=order)))
+    )
+    for _ in range(10):
+        run.advance(run.time, 0.1)
+        turned, bend = math.sin(2.0 * run.time), -4.0 * math.sin(2.0 * run.time)
+        asked = (0.2 + 2.0 * 0.25) * bend + 2.0 * 9.81 * 0.5 * math.cos(turned)
+        assert float(run["motor.torque"]) == pytest.approx(asked, abs=1e-6 * 10.0)
