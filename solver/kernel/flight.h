@@ -106,7 +106,7 @@ HM_SELDOM static int balance_by_turning(context *c, kept_motion *x, double L[RIG
         EACH(k) answer[DIM + k] = a[k];
         solve_rigid(L, answer);
         const double slope = dot(g, g), curve = dot(a, answer + DIM) - dot(omega + DIM, bend);
-        if (hm_square(slope) <= fabs(2.0 * curve * excess) && is_round_off(c, x, excess)) break; /* it spins steadily: l would change axis */
+        if (hm_square(slope) <= fabs(2.0 * curve * excess) && is_round_off(c, x, excess)) break; /* it spins steadily: g is round-off */
         const double s = -2.0 * excess / (slope + sqrt(slope * slope - 2.0 * curve * excess));
         if (!(fabs(s) * sqrt(slope) <= LARGEST_TURN_BACK)) return 0;
         EACH(k) psi[k] = s * g[k];
