@@ -26,30 +26,61 @@ HM_SELDOM static double turn_island(const context *c, const kept_motion *x, cons
     return sqrt(mass_product(c, moved, moved));
 }
 
-/* How many times larger an error along the path of a rigid body grows that flies with the angular momentum l and g = omega x l.
-   It moves on as fast as l does in the body, and fastest with g^2 = (a_1 l^2 - 2T)(2T - a_3 l^2), a_1 > a_2 > a_3 the eigenvalues of
-   I^-1 and T its energy: far faster than now if it turns about nearly its middle axis. */
-HM_SELDOM static double growth_of_errors(double L[RIGID][RIGID], const double *l, const double *omega, const double *g)
+/* Turns a body that flies alone, places and velocities, so that its angular momentum points where it is to: an error of a rod's
+   axis would else become spin about it, which has hardly any inertia. */
+HM_SELDOM static void turn_to_momentum(const context *c, kept_motion *x)
 {
-    double trace = 0.0, minors = 0.0, det, a[3][RIGID] = {{0.0}}, minor[DIM];
-    for (int i = 0; i < 3; i++) {
-        a[i][DIM + i] = 1.0;
-        solve_rigid(L, a[i]);
-        trace += a[i][DIM + i];
+    int keeps = x->flies && c->node.end - c->node.begin == 1 + TURNING;
+    double now[RIGID], size[RIGID], psi[DIM];
+    for (int i = 0; i < RIGID; i++) keeps &= x->kept[i];
+    if (!keeps) return;
+    momenta_now(c, x, now, size);
+    cross_product(now + DIM, x->before + DIM, psi);
+    const double product = sqrt(dot(now + DIM, now + DIM) * dot(x->before + DIM, x->before + DIM)), sine2 = dot(psi, psi);
+    if (!(sine2 > 0.0 && sine2 <= hm_square(LARGEST_TURN_BACK * product))) return;
+    EACH(k) psi[k] /= product;
+    turn_island(c, x, psi);
+}
+
+#define ALIKE 1e-12 /* relative difference of principal inertias that are the same but for round-off */
+
+/* Turns the axes of an inertia (modified), and of a vector l (modified), to the principal ones (Jacobi's rotations). */
+HM_SELDOM static void to_principal_axes(double inertia[3][3], double *l)
+{
+    for (int turn = 0; turn < 15; turn++) {
+        const int p = turn % 3, q = (p + 1) % 3, r = (p + 2) % 3;
+        const double product = inertia[p][q], half = 0.5 * (inertia[q][q] - inertia[p][p]), bent = inertia[p][r], along = l[p];
+        if (product == 0.0) continue;
+        const double tangent = product / (half + copysign(hm_hypot(half, product), half));
+        const double cosine = 1.0 / hm_hypot(1.0, tangent), sine = tangent * cosine;
+        inertia[p][p] -= tangent * product;
+        inertia[q][q] += tangent * product;
+        inertia[p][q] = inertia[q][p] = 0.0;
+        inertia[p][r] = inertia[r][p] = cosine * bent - sine * inertia[q][r];
+        inertia[q][r] = inertia[r][q] = sine * bent + cosine * inertia[q][r];
+        l[p] = cosine * along - sine * l[q];
+        l[q] = sine * along + cosine * l[q];
     }
-    cross_product(a[1] + DIM, a[2] + DIM, minor);
-    det = dot(a[0] + DIM, minor);
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3;
-        minors += a[i][DIM + i] * a[j][DIM + j] - hm_square(a[i][DIM + j]);
-    }
-    double middle = trace / 3.0; /* where the characteristic polynomial has its point of inflection: Newton's iteration finds a_2 */
-    for (int i = 0; i < 20; i++) {
-        const double slope = minors + middle * (3.0 * middle - 2.0 * trace);
-        if (slope < 0.0) middle -= (middle * (minors + middle * (middle - trace)) - det) / slope;
-    }
-    const double l2 = dot(l, l), twice = dot(l, omega), outer = trace - middle;
-    const double fastest2 = twice * (l2 * outer - twice) - (minors - middle * outer) * l2 * l2, now2 = dot(g, g);
+}
+
+/* How many times larger an error along the path of a rigid body grows that flies with the angular momentum l. It moves on as fast as l
+   does in the body, g^2 = sum (a_i - a_j)^2 l_i^2 l_j^2, and fastest with g^2 = (a_1 l^2 - 2T)(2T - a_3 l^2), a_1 > a_2 > a_3 the
+   eigenvalues of I^-1 and T its energy: far faster than now if it turns about nearly its middle axis. Differences are taken before
+   they are weighed: l has no component but round-off along a rod, whose a_1 is huge. */
+HM_SELDOM static double growth_of_errors(double L[RIGID][RIGID], const double *l)
+{
+    double inertia[3][3] = {{0.0}}, own[3] = {l[0], l[1], l[2]}, below[3] = {0.0}, now2 = 0.0, fastest2 = 0.0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) inertia[i][j] = dot(L[DIM + i] + DIM, L[DIM + j] + DIM);
+    to_principal_axes(inertia, own);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const double a = inertia[i][i], b = inertia[j][j], less = fabs(a - b) > ALIKE * (a + b) ? 1.0 / a - 1.0 / b : 0.0;
+            below[i] += less * own[j] * own[j];
+            now2 += 0.5 * hm_square(less * own[i] * own[j]);
+        }
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) fastest2 = fmax(fastest2, -below[i] * below[j]);
     return fastest2 > now2 && now2 > 0.0 ? sqrt(fastest2 / now2) : 1.0;
 }
 #endif
@@ -68,13 +99,14 @@ HM_SELDOM static int balance_by_turning(context *c, kept_motion *x, double L[RIG
         EACH(k) omega[DIM + k] = l[k];
         solve_rigid(L, omega);
         cross_product(omega + DIM, l, g);
-        if (i == 0) c->growth = fmax(c->growth, growth_of_errors(L, l, omega + DIM, g));
+        if (i == 0) c->growth = fmax(c->growth, growth_of_errors(L, l));
         if (fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x)) break;
         cross_product(g, l, a);
         cross_product(g, a, bend);
         EACH(k) answer[DIM + k] = a[k];
         solve_rigid(L, answer);
         const double slope = dot(g, g), curve = dot(a, answer + DIM) - dot(omega + DIM, bend);
+        if (hm_square(slope) <= fabs(2.0 * curve * excess) && is_round_off(c, x, excess)) break; /* it spins steadily: g is round-off */
         const double s = -2.0 * excess / (slope + sqrt(slope * slope - 2.0 * curve * excess));
         if (!(fabs(s) * sqrt(slope) <= LARGEST_TURN_BACK)) return 0;
         EACH(k) psi[k] = s * g[k];

@@ -197,6 +197,9 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
     kept_motion *x = kept_of(c);
     double L[RIGID][RIGID] = {{0.0}};
     follow_rows(at);
+#if DIM == 3
+    turn_to_momentum(c, x);
+#endif
     put_momenta_back(c, x, L);
     const double potential = potential_of_island(c);
     if (has_unknown_work(c)) {

@@ -12,7 +12,7 @@ from functools import partial, reduce
 
 from solver.mechanics.combination import node
 from solver.mechanics.frames import BarFrame, RigidFrame
-from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, minors
+from solver.mechanics.inertia import FLOOR, euler_tensor, floored, minors
 from solver.mechanics.mechanism import DRIVEN, FIXED, FREE, GIVEN, Node, Scale
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import (
@@ -73,11 +73,10 @@ def _spun(spin: Number | Vector | None, arm: Vector) -> Vector:
     return cross(spin, arm) if isinstance(spin, tuple) else scale(spin, turned(arm))
 
 
-def add_rigid(rows: Rows, body: Rigid, size2: Number, *, held: bool) -> RigidFrame:
+def add_rigid(rows: Rows, body: Rigid, size2: Number) -> RigidFrame:
     """Add a rigid body; return its frame.
 
-    `size2` is its squared size [m2] (``solver.scene.body_sizes``); `held` says that parts are
-    joined to it at places of the drawing.
+    `size2` is its squared size [m2] (``solver.scene.body_sizes``).
     """
     mechanism = rows.mechanism
     rotation = body.rotation
@@ -105,7 +104,7 @@ def add_rigid(rows: Rows, body: Rigid, size2: Number, *, held: bool) -> RigidFra
         body.center_of_mass, body.points,
     )  # fmt: skip
     mechanism.rigid.append((centre, *directors))
-    _add_inertia(rows, frame, body, size2, held=held)
+    _add_inertia(rows, frame, body, size2)
     for i, first in enumerate(directors):
         for second in directors[i:]:
             form, _ = mechanism.form(node(first), node(second))
@@ -114,7 +113,7 @@ def add_rigid(rows: Rows, body: Rigid, size2: Number, *, held: bool) -> RigidFra
     return frame
 
 
-def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, size2: Number, *, held: bool) -> None:
+def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, size2: Number) -> None:
     """Give the directors their masses."""
     mechanism = rows.mechanism
     if not isinstance(body.inertia, tuple):
@@ -129,7 +128,7 @@ def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, size2: Number, *, h
         rows.rule(minor, ">=", text)
     moments = (body.inertia[i][i] for i in range(3))
     E = _enough(rows, body, E, reduce(partial(operate, "max"), moments), size2)
-    E = floored(E, mechanism.default, FLOOR if held else FREE_FLOOR)
+    E = floored(E, mechanism.default)
     # Norms and penalties take the largest: what holds a light direction is its body, and a penalty
     # scaled with its own small inertia would make Uzawa's iteration slow.
     largest = max((E[i][i] for i in range(3)), key=mechanism.default)

@@ -68,8 +68,7 @@ def _add_points_and_bodies(parts: Parts) -> None:
         rows.demand(point)
         parts.points[name] = add_point(rows, point, path)
     tables = {name: getattr(scene, name) for name in PLACED}
-    places = places_of_bodies(tables)
-    sizes2 = squared_sizes(tables, places, mechanism.default)
+    sizes2 = squared_sizes(tables, places_of_bodies(tables), mechanism.default)
     for name, body in scene.bodies.items():
         rows = Rows(parts, "bodies", name)
         rows.demand(body)
@@ -81,7 +80,7 @@ def _add_points_and_bodies(parts: Parts) -> None:
                 if scene.dimension == 2:
                     parts.frames[name] = frame
             else:
-                parts.frames[name] = add_rigid(rows, body, sizes2[name], held=name in places)
+                parts.frames[name] = add_rigid(rows, body, sizes2[name])
         except ExpressionError as error:
             text = f"a number of it has no finite value: {error.message}"
             scene.fail([scene.error(rows.location, f"{text}; look for a very large or small one")])

@@ -19,9 +19,9 @@ from solver.scene.expression import operate
 
 FLOOR = 1e-7
 """Least inertia of a director, relative to the largest; of a point-like body, to m l^2. A hundredth
-of it fails where joints are redundant: their pivots, of 1e-8, drown in rounding."""
-FREE_FLOOR = 1e-10
-"""The same for a body that nothing holds."""
+of it fails where joints are redundant: their pivots, of 1e-8, drown in rounding. A rod in flight
+turns about its own axis by round-off of its torques over this inertia: Newton's iteration sees it
+with a tenth of it."""
 ROUNDING = 5e-8
 """By how much parameters may let E miss zero, relative to its trace: `FORGIVEN` of the moments."""
 
