@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from build_fmu.motion import LOSSES, OF_THE_SOLUTION, quaternions_among, rotation_between
+from build_fmu.reference import ROUND_OFF
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,6 +33,9 @@ KINDS = {
 PATH = ("m", "rad")
 STATE = (*PATH, "m/s", "rad/s")
 """What a tolerance is for."""
+NO_PATH = tuple(unit for unit in KINDS if unit not in PATH)
+NO_PATH_TIMES = 10.0
+"""Times the error of a path that one of velocities and forces may be: it has a larger constant."""
 AIM = 1e-4
 """Error of equal steps, relative or in rad, for which a step is proposed."""
 MOST_TIMES = 10.0
@@ -188,7 +192,9 @@ def of_equal_steps(seen: Comparison, order: float, step: float, remedy: str = ""
     error, limit = factor * seen.path, MOST_TIMES * AIM
     if seen.path > LOST and seen.growth[0] >= GROWTH:
         return Verdict(error, _of_chaos(seen, limit), is_warning=True)
-    beyond = seen.beyond(PATH if seen.has_contacts else (*KINDS,), limit / factor)
+    beyond = seen.beyond(PATH, limit / factor)
+    if not seen.has_contacts:
+        beyond += seen.beyond(NO_PATH, NO_PATH_TIMES * limit / factor)
     if not beyond:
         return Verdict(
             error, f"its path is off by about {_in_words(error, seen)}", is_warning=False
@@ -204,10 +210,10 @@ def of_equal_steps(seen: Comparison, order: float, step: float, remedy: str = ""
 
 
 def of_a_tolerance(seen: Comparison, tolerance: float) -> Verdict:
-    """Judge a run with a tolerance by one with a tenth of it, or less."""
+    """Judge a run with a tolerance, relative to the size, by one with a tenth of it, or less."""
     if seen.is_none:
         return _SAME
-    limit = MOST_TIMES * tolerance
+    limit = max(MOST_TIMES * tolerance, ROUND_OFF)
     if seen.path > limit and seen.growth[0] >= GROWTH:
         return Verdict(seen.path, _of_chaos(seen, limit), is_warning=True)
     beyond = seen.beyond(PATH if seen.has_contacts else STATE, limit)

@@ -85,19 +85,19 @@ def _measured(
     def compared(finer: dict[str, float]) -> Comparison:
         fine = again(finer)
         if fine.failure:
-            text = f"with {' '.join(f'{n} = {x:.3g}' for n, x in finer.items())} {fine.failure}"
+            text = f"with {', '.join(f'{n} = {x:.3g}' for n, x in finer.items())} {fine.failure}"
             raise UnfinishedError(text)
         a, b = ({name: run.values[name] for name in units} for run in (coarse, fine))
         return Comparison(times, a, b, units, size)
 
     is_stepped = settings.get("contact_mode") == "stepped"  # in equal steps, whatever the tolerance
     if tolerance and not is_stepped:
-        least = OPTIONS["tolerance"].least
-        finer = {"solver.tolerance": max(0.1 * tolerance, least)}
+        finer = _tolerances(settings, 0.1)
         seen = compared(finer)
         if seen.is_none:  # communication steps limit all steps
-            finer = {"solver.tolerance": max(1e-3 * tolerance, least)}
+            finer = _tolerances(settings, 1e-3)
             seen = compared(finer)
+        tolerance += settings["absolute_tolerance"] / seen.size
         return Accuracy(finer, [*seen.differences.values()], of_a_tolerance(seen, tolerance))
     longest = float(np.diff(times).max())
     step = longest / max(1.0, math.ceil(longest / settings["step_size"] * (1.0 - 1e-10)))
@@ -107,6 +107,12 @@ def _measured(
     order = ORDER_OF_STEPPED if is_stepped else float(orders.min())
     other = "" if is_stepped else f"solver.tolerance={AIM:g}, or "
     return Accuracy(finer, [*seen.differences.values()], of_equal_steps(seen, order, step, other))
+
+
+def _tolerances(settings: Mapping[str, Any], part: float) -> dict[str, float]:
+    """Return a part of the tolerances that are set, but none that is too small."""
+    names = [name for name in ("tolerance", "absolute_tolerance") if settings[name]]
+    return {f"solver.{n}": max(part * settings[n], OPTIONS[n].least) for n in names}
 
 
 def _size(model: Model, values: Mapping[str, Any], start: float) -> float:

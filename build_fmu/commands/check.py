@@ -122,8 +122,9 @@ def _print_accuracy(exact: Accuracy) -> None:
         )
         for each in exact.differences
     ]
-    for name, value in exact.finer.items():
-        title = f"differences from a run with {name} = {value:.3g}"
+    if rows:
+        finer = ", ".join(f"{name} = {value:.3g}" for name, value in exact.finer.items())
+        title = f"differences from a run with {finer}"
         print_table(title, ("of", "largest", "relative", "output", "at t [s]"), rows)
     if not exact.verdict.is_warning:
         sys.stdout.write(f"{exact.verdict.sentence}\n")
