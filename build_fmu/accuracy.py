@@ -44,6 +44,8 @@ LOST = 0.1
 """Difference of paths over the size, or in rad, beyond which it no longer grows freely."""
 SEEN = 1e-3
 """Part of a difference with which its growth begins."""
+FEWEST = 16
+"""Communication steps that tell how it grows: in a few of them a motion may have just begun."""
 GROWTH = 12.0
 """Times by which a difference grows in the second half of a time only where the motion multiplies
 it. Errors that add up grow with at most the fourth power of time, from rest, and by a factor of 8.3
@@ -145,12 +147,12 @@ class Comparison:
         """
         level = min(self.path, LOST)
         begin = max(int((self._course >= SEEN * level).argmax()) - 1, 0)
-        end = self._times[int((self._course >= level).argmax())]
-        half = 0.5 * (self._times[begin] + end)
+        end = int((self._course >= level).argmax())
+        half = 0.5 * (self._times[begin] + self._times[end])
         before = float(self._course[self._times <= half].max())
-        if not 0.0 < before < level:
+        if end - begin < FEWEST or not 0.0 < before < level:
             return 0.0, math.inf
-        return level / before, float(end - half) / math.log10(level / before)
+        return level / before, float(self._times[end] - half) / math.log10(level / before)
 
     def beyond(self, units: Sequence[str], limit: float) -> list[Difference]:
         """Differences of these kinds that are larger than a limit, relative or in rad."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.accuracy import KINDS
@@ -15,7 +16,7 @@ from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.finer_run import Accuracy, accuracy
 from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual, losses
-from build_fmu.report import print_json, print_table
+from build_fmu.report import print_json, print_table, progress_bar
 from build_fmu.run import run_fmu
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import runnable
@@ -99,15 +100,15 @@ def _two_runs(arguments: argparse.Namespace) -> tuple[Run, Accuracy | None]:
                 raise UsageError(text)
         if result.reason or not result.moved:
             return result, None
-        return result, accuracy(
-            path,
-            left,
-            result,
-            lambda finer: run_fmu(
-                path, stop_time=arguments.stop, step_size=arguments.step, settings=left,
-                inputs=arguments.inputs, with_local=True, finer=finer,
-            ),
-        )  # fmt: skip
+
+        def again(finer: dict[str, float]) -> Run:
+            with progress_bar(f"repeating {Path(path).stem}, finer") as progress:
+                return run_fmu(
+                    path, stop_time=arguments.stop, step_size=arguments.step, settings=left,
+                    inputs=arguments.inputs, progress=progress, with_local=True, finer=finer,
+                )  # fmt: skip
+
+        return result, accuracy(path, left, result, again)
 
 
 def _print_accuracy(exact: Accuracy) -> None:

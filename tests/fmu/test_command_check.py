@@ -177,6 +177,14 @@ def test_a_regular_motion_of_the_same_length_is_not_called_chaos(capsys):
     assert "too long" in err
 
 
+def test_a_ball_whose_spin_has_just_begun_is_not_called_chaos(capsys):
+    """It slides until it rolls: what grows is the spin, and with it the error of long steps."""
+    _, seen, err = checked(capsys, scene_fmu("putting_green"), "--set", "solver.step_size=0.0125")
+    assert seen["error"] > 1.0
+    assert "multiplies" not in err
+    assert "too long" in err
+
+
 # ------------------------------------------------------------------------------- what is compared
 
 
