@@ -15,7 +15,7 @@ from build_fmu.instance import description_of
 from build_fmu.study.settings import fmu_settings
 from build_fmu.target import fmu_model
 from solver.options import OPTIONS
-from solver.runtime import AssemblyError, Integrator, OptionError
+from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 
 if TYPE_CHECKING:
     from build_fmu.run import Run
@@ -122,6 +122,6 @@ def _size(model: Model, values: Mapping[str, Any], start: float) -> float:
         for name, value in values.items():
             integrator[name] = value
         integrator.initialise(start)
-    except (AssemblyError, OptionError):
+    except (AssemblyError, OptionError, StepError):
         return 0.0  # inputs that change have no value yet, and the FMU was given them
     return float(integrator.numbers[model.offsets["extent"]])
