@@ -143,11 +143,16 @@ def _parser() -> argparse.ArgumentParser:
     simulate.add_argument("--formulation", metavar="NAME", help=text)
     _add_plot(simulate, "plot the run into a file")
     _add_sweep(commands)
-    check = commands.add_parser("check", help="run it and test that energy and constraints hold")
+    check = commands.add_parser(
+        "check", help="test that energy and constraints hold, and show how exact it is"
+    )
     _add_run(check, inputs=True)
     for name in ("energy", "constraint"):
         text = f"largest relative {name} error that passes (default: %(default)s)"
         check.add_argument(f"--{name}", type=float, default=1e-9, metavar="LIMIT", help=text)
+    text = "largest error of the path that passes, of places over the size, of angles in rad, as a "
+    text += "run with a tenth of the tolerance or half the step shows it (default: any)"
+    check.add_argument("--accuracy", type=float, metavar="LIMIT", help=text)
     report = commands.add_parser("report", help="write a page of a run of any importer")
     report.add_argument("target", metavar="SCENE|FMU")
     text = "CSV file of the run: a column 'time', and the outputs by their names; several compare"

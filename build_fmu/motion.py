@@ -60,6 +60,22 @@ def lag_of_velocities(largest: float, by_unit: Mapping[str, float]) -> str:
     )
 
 
+def quaternions_among(units: Mapping[str, Any]) -> list[list[str]]:
+    """Return the four names of each quaternion, from the units of all outputs by name."""
+    turned = [x[:-1] for x, unit in units.items() if x.endswith(".qw") and unit]
+    found = [[f"{x}{k}" for k in "wxyz"] for x in turned]
+    return [names for names in found if units.keys() >= {*names}]
+
+
+def rotation_between(p: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """Return the angle of the rotation between orientations [rad], of quaternions (..., 4).
+
+    |p - q| = 2 sin(angle/4); the sign of a quaternion means nothing.
+    """
+    chord = np.minimum(np.linalg.norm(p - q, axis=-1), np.linalg.norm(p + q, axis=-1))
+    return 4.0 * np.arcsin(np.minimum(0.5 * chord, 1.0))
+
+
 class Poses:
     """Which outputs are positions, angles and quaternions.
 
@@ -70,24 +86,17 @@ class Poses:
         """Take the units of all outputs, by name."""
         positions = [x for x, unit in units.items() if unit == "m" and x[-2:] in (".x", ".y", ".z")]
         angles = [x for x, unit in units.items() if unit == "rad" and x.endswith(".angle")]
-        turned = [x[:-1] for x, unit in units.items() if x.endswith(".qw") and unit]
-        quaternions = [[f"{x}{k}" for k in "wxyz"] for x in turned]
-        quaternions = [names for names in quaternions if units.keys() >= {*names}]
+        quaternions = quaternions_among(units)
         self.names = [*positions, *angles, *(name for names in quaternions for name in names)]
         self._ends = [len(positions), len(positions) + len(angles)]
         self.turn = len(self.names) > len(positions)
         """Whether there is any angle or orientation."""
 
     def apart(self, a: np.ndarray, b: np.ndarray) -> tuple[float, float]:
-        """Return the largest difference of a coordinate [m], and of an angle or orientation [rad].
-
-        That of two orientations is the angle of the rotation between them, |p - q| = 2 sin(angle/4)
-        of their quaternions, whose sign means nothing.
-        """
+        """Return the largest difference of a coordinate [m], and of a turn or orientation [rad]."""
         count = (len(self.names) - self._ends[1]) // 4
         p, q = (x[:, self._ends[1] :].reshape(len(x), count, 4) for x in (a, b))
-        chord = np.minimum(np.linalg.norm(p - q, axis=2), np.linalg.norm(p + q, axis=2))
-        rotation = 4.0 * np.arcsin(np.minimum(0.5 * chord, 1.0))
+        rotation = rotation_between(p, q)
         off, angle, _ = np.split(abs(a - b), self._ends, axis=1)
         return float(off.max(initial=0.0)), float(angle.max(initial=rotation.max(initial=0.0)))
 

@@ -86,6 +86,7 @@ def run_fmu(
     inputs: Reference | None = None,
     progress: Callable[[float], object] | None = None,
     with_local: bool = False,
+    finer: Mapping[str, float] | None = None,
 ) -> Run:
     """Simulate an FMU from its archive.
 
@@ -108,6 +109,8 @@ def run_fmu(
         Called after every communication step with the part of the run that is done, 0 to 1.
     with_local
         Whether to record what is no port of the FMU, too.
+    finer
+        Settings of the solver that count in place of others, also where they are no ports.
 
     Raises
     ------
@@ -127,7 +130,9 @@ def run_fmu(
         signals = given.courses(description, interpolations_in(path), start_values, times)
         variables, names = _recorded(description, with_local)
         begin = time.perf_counter()
-        record = fmu.run(start_values, signals.times, names, signals.sent, progress)
+        record = fmu.run(
+            {**start_values, **(finer or {})}, signals.times, names, signals.sent, progress
+        )
         wall_time = time.perf_counter() - begin
     if not len(record.values):
         raise UsageError(record.reason)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -25,6 +25,8 @@ from solver.files import written_whole
 if TYPE_CHECKING:
     from numpy import ndarray
 
+    from build_fmu.study.values import Entry
+
 
 def run(arguments: argparse.Namespace) -> int:
     """Simulate; exit code 3 if the run ends before its stop time, or the FMU logs an error."""
@@ -35,7 +37,9 @@ def run(arguments: argparse.Namespace) -> int:
         text = "--formulation: the paper's method takes no --inputs that change; use --set"
         raise UsageError(text)
     check_plot(arguments)
-    result = simulate(arguments, keep=partial(_write_table, arguments))
+    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
+    with runnable(arguments.target, entries) as (path, left):
+        result = simulate(arguments, path, left, keep=partial(_write_table, arguments))
     if arguments.json:
         print_json(summary(result) | {"warnings": arguments.warnings})
     elif not arguments.csv and begun(result):
@@ -75,38 +79,34 @@ def report_end(result: Run) -> int:
 
 
 def simulate(
-    arguments: argparse.Namespace, *, with_local: bool = False,
-    keep: Callable[[Run], None] = lambda _: None,
+    arguments: argparse.Namespace, path: str, left: Mapping[str, Entry], *,
+    with_local: bool = False, keep: Callable[[Run], None] = lambda _: None,
 ) -> Run:  # fmt: skip
-    """Run what the arguments say, with a progress bar on a terminal.
+    """Run an FMU as the arguments say, with the values that are left for the run.
 
     `keep` gets the run before its page is written: a page that fails loses nothing.
     """
-    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
-    with (
-        runnable(arguments.target, entries) as (path, left),
-        progress_bar(f"simulating {Path(path).stem}") as progress,
-    ):
-        known: dict[str, Any] = {
-            "stop_time": arguments.stop, "step_size": arguments.step, "settings": left,
-            "with_local": with_local or bool(arguments.report),
-        }  # fmt: skip
+    known: dict[str, Any] = {
+        "stop_time": arguments.stop, "step_size": arguments.step, "settings": left,
+        "with_local": with_local or bool(arguments.report),
+    }  # fmt: skip
+    with progress_bar(f"simulating {Path(path).stem}") as progress:
         if formulation := getattr(arguments, "formulation", None):
             result = run_by_paper(path, fmu_model(path), formulation, **known)
         else:
             result = run_fmu(path, inputs=arguments.inputs, progress=progress, **known)
-        if not arguments.report:
-            keep(result)
-            return result
-        from build_fmu.reporting import Carried, plain_values
+    if not arguments.report:
+        keep(result)
+        return result
+    from build_fmu.reporting import Carried, plain_values
 
-        carried = Carried(path, arguments.target)
-        shown = result if with_local else replace(result, values=result.values[carried.ports])
-        keep(shown)
-        said = [*arguments.warnings, *result.messages]
-        carried.write(arguments.report, [carried.of_run(result, plain_values(left))], said)
-        sys.stderr.write(f"{arguments.report}: a page of this run, for any browser\n")
-        return shown
+    carried = Carried(path, arguments.target)
+    shown = result if with_local else replace(result, values=result.values[carried.ports])
+    keep(shown)
+    said = [*arguments.warnings, *result.messages]
+    carried.write(arguments.report, [carried.of_run(result, plain_values(left))], said)
+    sys.stderr.write(f"{arguments.report}: a page of this run, for any browser\n")
+    return shown
 
 
 def write_csv(values: ndarray, file: IO[str]) -> None:

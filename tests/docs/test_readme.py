@@ -58,6 +58,16 @@ def test_every_scene_is_in_the_table():
     assert named - names == set(generate.GENERATORS) - {"hanging_chain"}
 
 
+def test_check_prints_of_the_first_scene_what_the_first_screens_show(capsys, tmp_path):
+    """But for round-off of energy and constraints."""
+    (tmp_path / "pendulum.toml").write_text(fenced("toml"), encoding="utf-8")
+    assert command_line.main(["check", str(tmp_path / "pendulum.toml")]) == 0
+    found = capsys.readouterr().out.partition("differences from")
+    text = "".join(f"    {line}\n" if line else "\n" for line in "".join(found[1:]).splitlines())
+    for page in (README, (ROOT / "docs" / "index.md").read_text(encoding="utf-8")):
+        assert text in page
+
+
 def test_the_report_of_mistakes_is_what_a_scene_with_these_mistakes_gets():
     text = fenced("toml").replace("[2, 0], mass", "[2, 0], mas").replace('"B"] }', '"Bx"] }')
     with pytest.raises(scene.SceneError) as failure:
