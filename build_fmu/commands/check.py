@@ -7,9 +7,9 @@ import sys
 
 from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
-from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual, losses
+from build_fmu.motion import RESIDUAL, largest_residual, losses
 from build_fmu.report import print_json, print_table
-from solver.runtime.layout import MOST_SAMPLING
+from solver.runtime.layout import MOST_COARSENESS, MOST_SAMPLING
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -23,9 +23,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(text)
     if "solver.sampling" in outputs and result.largest("solver.sampling") > 0.0:
         limits["solver.sampling"] = MOST_SAMPLING
-    residual = result.largest(RESIDUAL) if RESIDUAL in outputs else 0.0
-    lag = lag_of_velocities(residual, result.largest_by_unit)
-    if lag:
+    if "solver.coarseness" in outputs and result.largest("solver.coarseness") > 0.0:
+        limits["solver.coarseness"] = MOST_COARSENESS
+    if result.lag:
         limits[RESIDUAL] = largest_residual(result.largest_by_unit)
     found = {name: (result.largest(name), limit) for name, limit in limits.items()}
     holds = {name: largest <= limit for name, (largest, limit) in found.items()}
@@ -57,8 +57,8 @@ def run(arguments: argparse.Namespace) -> int:
             rows = [(cause, f"{value:.6g}") for cause, value in taken.items()]
             print_table("energy taken out by", ("cause", "J"), rows)
     report_end(result)
-    if lag:
-        sys.stderr.write(f"holonom: {lag}\n")
+    if result.lag:
+        sys.stderr.write(f"holonom: {result.lag}\n")
     if not result.finished:
         return UNFINISHED
     return 0 if all_hold else CHECK_FAILED

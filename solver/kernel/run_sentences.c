@@ -326,7 +326,7 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
         if (what == REMARK_ORDER) lasting = say_order_limit(text, f, numbers, s->head);
         else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
         else if (what == REMARK_SAMPLING) say_missed_load(text, f, s);
-        else if (s->head[S_COARSENESS] >= 1.0) say_coarse_steps(text, f, numbers, s);
+        else if (s->head[S_COARSENESS] > HOLONOM_MOST_COARSENESS && s->head[S_EQUAL_STEPS] != 1.0) say_coarse_steps(text, f, numbers, s);
         if (text->used > first && (lasting || heard)) said |= what;
         else hm_take_back(text, begin);
     }

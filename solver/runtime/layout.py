@@ -468,6 +468,8 @@ RELATIONS = {
 `noted` is = 0, and a run that breaks it tells so and goes on."""
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
+MOST_COARSENESS = 1.0
+"""Largest `solver.coarseness`: beyond it equal steps are too long for the motion."""
 MOST_SAMPLING = 1.0
 """Largest `solver.sampling`: beyond it loads that read the mechanism drive it by their delay."""
 
