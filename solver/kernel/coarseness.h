@@ -1,4 +1,4 @@
-/* Whether equal steps are too long for the motion (theory 8.7).
+/* Whether equal steps are too long for the motion (theory 8.6).
 
    A body that turns by x in a step of order p errs by C x^(p+1), at order 2 by x^3/48; limits of higher orders are turns with about
    the same error a step. What pairs of order 2 add to the error of a run is the estimate of their control, at every few steps. */

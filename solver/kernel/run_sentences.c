@@ -307,7 +307,9 @@ static void say_coarse_steps(hm_text *text, const hm_model_file *f, const double
         if (!hm_say_node(text, f, most_accelerated(&f->model, numbers, s))) hm_say(text, "this mechanism");
     }
     const int is_part = error < 0.99;
-    if (error > 0.0) hm_say(text, "; after %6g s the path is off by about %2g %s", steps * h, is_part ? 100.0 * error : error, is_part ? "%" : "times its size");
+    if (error > 0.0)
+        hm_say(text, "; after %6g s the path is off by about %2g %s%s", steps * h, is_part ? 100.0 * error : error,
+               is_part ? "%" : "times its size", head[S_EQUAL_STEPS] < 0.5 * steps ? ", more if the motion becomes faster" : "");
     else hm_say(text, "; the path may be far off");
     const double shorter = h * fmin(0.9 * longest / fmax(turn, longest), sqrt(0.5 * MOST_OF_THE_PATH / fmax(error, MOST_OF_THE_PATH)));
     hm_say(text, "; set %ssolver.step_size <= %6g s", head[S_STEPPED] == 0.0 ? "solver.tolerance = 1e-4, or " : "", rounded_down(shorter));
