@@ -122,15 +122,19 @@ slave_answer slave_check(slave *s, slave_call call)
 
 /* ---------------------------------------------------------------------------------------------------- initialization */
 
+/* A host may ask for less error than the run is set to, and never for more: it often passes a tolerance that nobody chose. */
 static void take_tolerance(slave *s, double tolerance)
 {
     const int32_t index = variable_named(s, "solver.tolerance");
-    const char *reason = tolerance > 0.0 ? "this run has fixed steps, set by solver.step_size and solver.order" : "it must be > 0";
-    if (slave_head(s)[S_TOLERANCE] != 0.0 && tolerance > 0.0 && index >= 0) {
-        if (slave_hears(s, holonom_set(s->instance, &index, 1, &tolerance, NULL))) return;
-        reason = holonom_message(s->instance);
-    }
-    slave_tell(s, ANSWER_OK, "tolerance %r has no effect: %s", tolerance, reason);
+    const double own = slave_head(s)[S_TOLERANCE];
+    if (!(tolerance > 0.0))
+        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: it must be > 0", tolerance);
+    else if (own == 0.0 || index < 0)
+        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: this run has fixed steps, set by solver.step_size and solver.order", tolerance);
+    else if (tolerance > own)
+        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: solver.tolerance is %r, which is tighter", tolerance, own);
+    else if (!slave_hears(s, holonom_set(s->instance, &index, 1, &tolerance, NULL)))
+        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: %s", tolerance, holonom_message(s->instance));
 }
 
 slave_answer slave_set_up(slave *s, double start, const double *stop, const double *tolerance)

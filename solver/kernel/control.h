@@ -205,9 +205,9 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const int rejected = status ? 1 : tiny ? 0 : judge_step(c, h, step);
         half_steps += c->halves;
         failed = status;
-        if (status || (rejected && repeats < MAX_REPEATS)) {
+        if (rejected) {
             const double wanted = status ? c->shorter * h : head[S_WANTED];
-            if (++repeats > MAX_REPEATS) return status;
+            if (++repeats > MAX_REPEATS) return status ? status : HOLONOM_STEP_COLLAPSED;
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
             if (repeats == 1) tried = h;

@@ -43,8 +43,8 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_STOPPED: return "it was interrupted; all is as before it";
     case HOLONOM_STEP_COLLAPSED:
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
-               "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
-               "powers of ten apart";
+               "step, or for a shorter one after 40 tries; take shorter communication steps or a wider solver.tolerance; if neither "
+               "helps, look for masses or sizes that are many powers of ten apart";
     case HOLONOM_BAD_DRIVER:
         return "it has no finite value at this time, and velocities or forces would be infinite; write a formula that is smooth there, "
                "as t**2 is and t**1.5 is not, or start at another time";

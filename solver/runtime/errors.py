@@ -71,7 +71,7 @@ class Status(IntEnum):
     BAD_LAW = 7  # a stiffness, free length or damping is negative, or work not a number
     TURN_TOO_LARGE = 8  # a body would turn by more than 2.5 rad in a half step
     DAMPING_REVERSED = 9  # a step of order > 2 goes back in between: dampers fed energy
-    STEP_COLLAPSED = 10  # a tolerance asks for more than 1e6 internal steps in one
+    STEP_COLLAPSED = 10  # a tolerance asks for more than 1e6 internal steps in one, or 40 repeats
     CONTACT_UNDECIDED = 11  # no set of contacts and frictions agrees with the forces
     IMPACT_UNSOLVED = 12  # no impulses obey the law of impact
     TOO_MANY_EVENTS = 13  # contacts change more often in a communication step than they may

@@ -30,11 +30,12 @@ def test_a_second_experiment_without_a_stop_time_takes_the_first_one_back(native
     [
         (1e-4, 1e-7, 1e-7, ""),
         (1e-4, -1.0, 1e-4, "tolerance -1.0 has no effect: it must be > 0"),
-        (1e-4, 7.0, 1e-4, "tolerance 7.0 has no effect: solver.tolerance: must be 0 or"),
+        (1e-4, 1e-2, 1e-4, "tolerance 0.01 has no effect: solver.tolerance is 0.0001, which is"),
+        (1e-4, 1e-20, 1e-4, "tolerance 1e-20 has no effect: solver.tolerance: must be 0 or"),
         (0.0, 1e-7, 0.0, "tolerance 1e-07 has no effect: this run has fixed steps"),
     ],
 )
-def test_an_fmu_takes_a_tolerance_that_has_an_effect_and_else_says_why(
+def test_an_fmu_takes_a_tolerance_that_is_tighter_than_its_own_and_else_says_why(
     own, tolerance, taken, words, native
 ):
     with instance(pendulum(native=native)) as fmu:
@@ -44,6 +45,19 @@ def test_an_fmu_takes_a_tolerance_that_has_an_effect_and_else_says_why(
         said = [text for _, _, text in fmu.log if "tolerance" in text]
         assert len(said) == bool(words)
         assert all(text.startswith(words) for text in said)
+
+
+@pytest.mark.parametrize("native", [False, True], ids=["python", "native"])
+def test_a_wider_tolerance_of_the_host_changes_no_bit(native):
+    found = []
+    for tolerance in (None, 1e-2, 1e-7):
+        with instance(pendulum(native=native)) as fmu:
+            fmu.set(solver__tolerance=1e-5)
+            fmu.fmu.setupExperiment(tolerance=tolerance, startTime=0.0, stopTime=1.0)
+            fmu.fmu.enterInitializationMode()
+            fmu.fmu.exitInitializationMode()
+            found.append(fmu.run(0.0, 0.1, 10))
+    assert found[0] == found[1] != found[2]
 
 
 def test_a_native_fmu_finds_its_model_in_a_folder_whose_name_has_a_space(tmp_path):
