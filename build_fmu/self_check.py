@@ -90,7 +90,9 @@ def self_check(model: Model) -> SelfCheck:
     motion = rows[:, [names.index(name) for name in poses.names]]
     apart = None if reason else _apart(model, duration, steps, poses, motion)
     largest = largest_by_unit({v.name: v.unit for v in outputs}, sizes)
-    said += filter(None, [lag_of_velocities(sizes.get(RESIDUAL, 0.0), largest, lambda: jumps(model))])
+    said += filter(
+        None, [lag_of_velocities(sizes.get(RESIDUAL, 0.0), largest, lambda: jumps(model))]
+    )
     return SelfCheck(
         duration=integrator.time - model.experiment.start_time,
         reason=reason,

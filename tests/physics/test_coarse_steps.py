@@ -7,6 +7,7 @@ and 0.04 are left out: there the estimate may be below the limit.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -103,9 +104,7 @@ def planet(eccentricity: float) -> Case:
     """From its farthest point, with a period of up to 2 pi."""
     speed = (1.0 - eccentricity) ** 0.5
     start = [1.0, 0.0, 0.0, speed]
-    return of_a_point(
-        PLANET.format(speed=speed), "planet", start, lambda r: -r / np.hypot(*r) ** 3
-    )
+    return of_a_point(PLANET.format(speed=speed), "planet", start, lambda r: -r / np.hypot(*r) ** 3)
 
 
 def spring_pendulum() -> Case:
@@ -138,8 +137,8 @@ def heavy_top(spin: float) -> Case:
 
 
 CASES = {
-    "slow rotor": (rotor(3.0), 0.01), "rotor": (rotor(20.0), 0.01), "fast rotor": (rotor(40.0), 0.01),
-    "rotor of 100 rad/s": (rotor(100.0), 0.002), "circle": (planet(0.0), 0.05),
+    "slow rotor": (rotor(3.0), 0.01), "rotor": (rotor(20.0), 0.01),
+    "fast rotor": (rotor(40.0), 0.01), "rotor of 100 rad/s": (rotor(100.0), 0.002), "circle": (planet(0.0), 0.05),
     "ellipse": (planet(0.3), 0.02), "spring": (spring_pendulum(), 0.01),
     "spring in long steps": (spring_pendulum(), 0.05), "top": (heavy_top(60.0), 0.0005),
     "slow top": (heavy_top(20.0), 0.002), "top in long steps": (heavy_top(60.0), 0.002),
@@ -160,14 +159,14 @@ def test_steps_are_too_long_where_the_path_is_off_and_the_figure_is_its_error(ca
         log=said.append,
     )
     rows = [[float(run[name]) for name in case.names]]
-    for before, after in zip(times, times[1:], strict=False):
+    for before, after in itertools.pairwise(times):
         run.advance(before, after - before)
         rows.append([float(run[name]) for name in case.names])
     error = case.error(times, np.array(rows))
     assert not 0.01 < error < 0.04
     assert len(said) == (error > 0.01) == (float(run["solver.coarseness"]) > 1.0)
     for text in said:
-        number, unit = re.search(r"the path is off by about ([\d.]+) (%|times)", text).groups()
+        ((number, unit),) = re.findall(r"the path is off by about ([\d.]+) (%|times)", text)
         figure = float(number) * (0.01 if unit == "%" else 1.0)
         assert error / 3.0 < figure < 3.0 * error
         assert next(name for name in ("'wheel'", "'planet'", "'bob'", "'top'") if name in text)
@@ -188,7 +187,7 @@ def said_of(settings: str, omega: float = 30.0) -> list[str]:
 
 def test_the_remedy_is_enough():
     (text,) = said_of("step_size = 0.01")
-    longest = float(re.search(r"step_size <= ([\d.e-]+) s", text)[1])
+    (longest,) = re.findall(r"step_size <= ([\d.e-]+) s", text)
     assert "set solver.tolerance = 1e-4" in text
     assert said_of(f"step_size = {longest}") == said_of("tolerance = 1e-4") == []
 
