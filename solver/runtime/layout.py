@@ -418,8 +418,8 @@ MEASURED = {
     "residual": "2",  # largest of positions and velocities, scaled
     "momentum": "dim",
     "angular_momentum": "turning",  # about the origin
-    "solver": "8",  # Newton iterations, Uzawa updates, substeps, order, as pairs, sampling, coarseness,
-    # status
+    "solver": "8",  # Newton iterations, Uzawa updates, substeps, order, as pairs, sampling,
+    # coarseness, status
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts

@@ -138,7 +138,8 @@ def heavy_top(spin: float) -> Case:
 
 CASES = {
     "slow rotor": (rotor(3.0), 0.01), "rotor": (rotor(20.0), 0.01),
-    "fast rotor": (rotor(40.0), 0.01), "rotor of 100 rad/s": (rotor(100.0), 0.002), "circle": (planet(0.0), 0.05),
+    "fast rotor": (rotor(40.0), 0.01), "rotor of 100 rad/s": (rotor(100.0), 0.002),
+    "circle": (planet(0.0), 0.05),
     "ellipse": (planet(0.3), 0.02), "spring": (spring_pendulum(), 0.01),
     "spring in long steps": (spring_pendulum(), 0.05), "top": (heavy_top(60.0), 0.0005),
     "slow top": (heavy_top(20.0), 0.002), "top in long steps": (heavy_top(60.0), 0.002),
