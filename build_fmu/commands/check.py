@@ -23,7 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(text)
     if "solver.sampling" in outputs and result.largest("solver.sampling") > 0.0:
         limits["solver.sampling"] = MOST_SAMPLING
-    if "solver.coarseness" in outputs and result.largest("solver.coarseness") > 0.0:
+    if result.moved and "solver.coarseness" in outputs and result.largest("solver.coarseness") > 0:
         limits["solver.coarseness"] = MOST_COARSENESS
     if result.lag:
         limits[RESIDUAL] = largest_residual(result.largest_by_unit)
