@@ -5,7 +5,7 @@ Also whether velocities follow the constraints: they do not after a driver that 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -48,15 +48,24 @@ def largest_residual(by_unit: Mapping[str, float]) -> float:
     return LARGEST_SHARE * fastest + ROUND_OFF
 
 
-def lag_of_velocities(largest: float, by_unit: Mapping[str, float]) -> str:
-    """Return a sentence about the largest residual of a run [1/s]; empty if it may be as large."""
+def lag_of_velocities(
+    largest: float, by_unit: Mapping[str, float], jumps: Callable[[], bool]
+) -> str:
+    """Return a sentence about the largest residual of a run [1/s]; empty if it may be as large.
+
+    `jumps` finds whether a driver or a constraint jumps.
+    """
     limit = largest_residual(by_unit)
     if not largest > limit:
         return ""
+    remedy = (
+        "look for a driver or a constraint whose value or rate jumps, and let it go smoothly"
+        if jumps()
+        else "set a solver.tolerance, or a shorter solver.step_size"
+    )
     return (
         f"velocities do not follow the constraints: {RESIDUAL} reaches {largest:.2g} 1/s, and "
-        f"{limit:.2g} would be a tenth of the fastest motion; look for a driver or a constraint "
-        "whose value or rate jumps, and let it go smoothly"
+        f"{limit:.2g} would be a tenth of the fastest motion; {remedy}"
     )
 
 

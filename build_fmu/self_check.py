@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from build_fmu.jumps import jumps
 from build_fmu.motion import RESIDUAL, Poses, lag_of_velocities, largest_by_unit, losses
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
@@ -89,7 +90,9 @@ def self_check(model: Model) -> SelfCheck:
     motion = rows[:, [names.index(name) for name in poses.names]]
     apart = None if reason else _apart(model, duration, steps, poses, motion)
     largest = largest_by_unit({v.name: v.unit for v in outputs}, sizes)
-    said += filter(None, [lag_of_velocities(sizes.get(RESIDUAL, 0.0), largest)])
+    said += filter(
+        None, [lag_of_velocities(sizes.get(RESIDUAL, 0.0), largest, lambda: jumps(model))]
+    )
     return SelfCheck(
         duration=integrator.time - model.experiment.start_time,
         reason=reason,

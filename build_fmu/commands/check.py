@@ -15,12 +15,12 @@ from build_fmu.accuracy import KINDS
 from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.finer_run import Accuracy, accuracy
-from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual, losses
+from build_fmu.motion import RESIDUAL, largest_residual, losses
 from build_fmu.report import print_json, print_table, progress_bar
 from build_fmu.run import run_fmu
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import runnable
-from solver.runtime.layout import MOST_SAMPLING
+from solver.runtime.layout import MOST_COARSENESS, MOST_SAMPLING
 
 if TYPE_CHECKING:
     from build_fmu.run import Run
@@ -35,9 +35,9 @@ def run(arguments: argparse.Namespace) -> int:
     limits = {"energy.error": arguments.energy, "constraint.position": arguments.constraint}
     if "solver.sampling" in outputs and result.largest("solver.sampling") > 0.0:
         limits["solver.sampling"] = MOST_SAMPLING
-    residual = result.largest(RESIDUAL) if RESIDUAL in outputs else 0.0
-    lag = lag_of_velocities(residual, result.largest_by_unit)
-    if lag:
+    if result.moved and "solver.coarseness" in outputs and result.largest("solver.coarseness") > 0:
+        limits["solver.coarseness"] = MOST_COARSENESS
+    if result.lag:
         limits[RESIDUAL] = largest_residual(result.largest_by_unit)
     found = {name: (result.largest(name), limit) for name, limit in limits.items()}
     if arguments.accuracy is not None and exact:
@@ -74,8 +74,8 @@ def run(arguments: argparse.Namespace) -> int:
         if exact:
             _print_accuracy(exact)
     report_end(result)
-    if lag:
-        sys.stderr.write(f"holonom: {lag}\n")
+    if result.lag:
+        sys.stderr.write(f"holonom: {result.lag}\n")
     if exact and exact.verdict.is_warning:
         sys.stderr.write(f"holonom: {exact.verdict.sentence}\n")
     if not result.finished:

@@ -267,6 +267,7 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
             return step_over(c, status, start, done, step);
         }
         cut = INFINITY;
+        follow_coarseness(c, h);
         const double before = done;
         done = covered == next - done ? next : done + covered;
         if (done > before) stalls = 0;
@@ -288,6 +289,7 @@ static int32_t cover_evenly(context *c, double start, double step)
         c->t = start + h * (double)i;
         c->unweighted = 0;
         status = step_halving(c, h, UNDIVIDED);
+        if (!status) follow_coarseness(c, h);
     }
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return status;

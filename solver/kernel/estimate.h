@@ -6,6 +6,7 @@
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
+#include "coarseness.h"
 #include "step_halving.h"
 
 /* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings, and of what strong dampers
@@ -70,6 +71,45 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     const double omega = speed > 0.0 ? sqrt(of_rate / speed) : 0.0;
     *difference = h * h * h * relative_size(c, of_rate, omega * of_rate);
     return 1;
+}
+
+static void judge_coarseness(const context *c, double h, double over)
+{
+    if (over <= c->s.head[S_COARSENESS]) return;
+    c->s.head[S_COARSENESS] = over;
+    c->s.head[S_COARSE_LENGTH] = h;
+}
+
+HM_SELDOM static void estimate_equal_step(const context *c, double h)
+{
+    double *head = c->s.head, difference = 0.0;
+    if (difference_of_pairs(c, h, &difference)) head[S_ERRORS_SEEN] += METHODS->mean * difference;
+    judge_coarseness(c, h, hm_error_of_steps(head, head[S_EQUAL_STEPS]) / MOST_OF_THE_PATH);
+}
+
+HM_SELDOM static void turn_further(const context *c, double h, int32_t node, double square)
+{
+    c->s.head[S_TURNED] = square;
+    c->s.head[S_TURNING] = node;
+    judge_coarseness(c, h, sqrt(square) / hm_longest_turn(c->s.head));
+}
+
+/* Takes from an equal step of length h, which is over, how long it was for the motion. */
+HM_OFTEN void follow_coarseness(const context *c, double h)
+{
+    double *head = c->s.head;
+    for (int32_t b = 0; b < n_bodies(c->m); b++) {
+        const int32_t a = c->m->body_node[b];
+        const double *rate = c->s.v + DIM * a; /* of one director, or three: |omega x d_1|^2 + ... = 2 omega^2 */
+        double square = 0.0;
+        for (int k = 0; k < DIM * TURNING; k++) square += rate[k] * rate[k];
+        square *= h * h / (DIM - 1);
+        if (square > head[S_TURNED]) turn_further(c, h, a, square);
+    }
+    if (is_unilateral(c->m) || head[S_ORDER_IN_USE] > 2.0) return;
+    head[S_EQUAL_STEPS] += 1.0;
+    if ((int64_t)head[S_EQUAL_STEPS] % STEPS_A_LOOK == 2) estimate_equal_step(c, h);
+    else head[S_LAST_LENGTH] = h;
 }
 
 /* Whether dampers are too strong for explicit steps: what they settle within a step falls little with the order. */

@@ -206,7 +206,7 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     if (groups & HOLONOM_MEASURE_ENERGIES) measure_energies(&c, y);
     if (groups & HOLONOM_MEASURE_MOMENTA) measure_momenta(&c, y);
     const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE], head[S_AS_PAIRS],
-                                loads ? sampling(&c) : 0.0, head[S_STATUS]};
+                                loads ? sampling(&c) : 0.0, head[S_COARSENESS], head[S_STATUS]};
     if (loads) memcpy(y->solver, of_solver, sizeof of_solver);
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */
     if (all) hm_run_tape(m, number, 3);

@@ -1,6 +1,7 @@
 /* What is said of steps that fail, and of what a run shows though it goes on. */
 #include "small.h"
 
+#include "coarseness.h"
 #include "sentences.h"
 
 #define HALVED_SO_OFTEN "even with the step halved again and again"
@@ -271,11 +272,54 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
     else hm_say(text, "steps shorter than solver.step_size = %6g s", head[S_STEP_SIZE]);
 }
 
+/* Node whose acceleration changed most in the last pair, in the mass norm. */
+static int32_t most_accelerated(const holonom_model *m, const double *numbers, const hm_state *s)
+{
+    double most = 0.0;
+    int32_t found = 0;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        double square = 0.0;
+        for (int32_t k = DIM * a; k < DIM * (a + 1); k++) square += hm_square((s->a[0][k] - s->a_before[0][k]) + (s->a[1][k] - s->a_before[1][k]));
+        square *= numbers[m->node_mass_at + a];
+        if (square > most) most = square, found = a;
+    }
+    return found;
+}
+
+/* Largest number of one digit that is not above x > 0. */
+static double rounded_down(double x)
+{
+    const double ten = hm_pow(10.0, floor(hm_log(x) / hm_log(10.0)));
+    return floor(x / ten * (1.0 + 1e-9)) * ten;
+}
+
+/* Says that equal steps are too long for the motion, of which part, by how much the path will be off, and the remedy: of half of
+   what a run may err by, and of nine tenths of the turn. */
+static void say_coarse_steps(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s)
+{
+    const double *head = s->head, h = head[S_COARSE_LENGTH], turn = sqrt(head[S_TURNED]), longest = hm_longest_turn(head);
+    const double steps = fmax(head[S_EQUAL_STEPS], head[S_HORIZON] / h), error = hm_error_of_steps(head, steps);
+    if (turn >= longest) {
+        if (!hm_say_node(text, f, (int32_t)head[S_TURNING])) hm_say(text, "a body");
+        hm_say(text, " turns %3g rad in a step of %3g s", turn, h);
+    } else {
+        hm_say(text, "steps of %3g s are too long for the motion of ", h);
+        if (!hm_say_node(text, f, most_accelerated(&f->model, numbers, s))) hm_say(text, "this mechanism");
+    }
+    const int is_part = error < 0.99;
+    if (error > 0.0)
+        hm_say(text, "; after %6g s the path is off by about %2g %s%s", steps * h, is_part ? 100.0 * error : error,
+               is_part ? "%" : "times its size", head[S_EQUAL_STEPS] < 0.5 * steps ? ", more if the motion becomes faster" : "");
+    else hm_say(text, "; the path may be far off");
+    const double shorter = h * fmin(0.9 * longest / fmax(turn, longest), sqrt(0.5 * MOST_OF_THE_PATH / fmax(error, MOST_OF_THE_PATH)));
+    hm_say(text, "; set %ssolver.step_size <= %6g s", head[S_STEPPED] == 0.0 ? "solver.tolerance = 1e-4, or " : "", rounded_down(shorter));
+}
+
 int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, int said, int heard)
 {
     if (!(said & REMARK_NUMBERS)) hm_broken_rules(text, f, numbers, RULES_NOTED);
     said |= REMARK_NUMBERS;
-    for (int what = REMARK_ORDER; what <= REMARK_SAMPLING; what *= 2) {
+    for (int what = REMARK_ORDER; what <= REMARK_COARSENESS; what *= 2) {
         const size_t begin = text->used;
         if (said & what) continue;
         if (begin) hm_say(text, "\n");
@@ -283,7 +327,8 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
         int lasting = 1;
         if (what == REMARK_ORDER) lasting = say_order_limit(text, f, numbers, s->head);
         else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
-        else say_missed_load(text, f, s);
+        else if (what == REMARK_SAMPLING) say_missed_load(text, f, s);
+        else if (s->head[S_COARSENESS] > HOLONOM_MOST_COARSENESS && s->head[S_EQUAL_STEPS] != 1.0) say_coarse_steps(text, f, numbers, s);
         if (text->used > first && (lasting || heard)) said |= what;
         else hm_take_back(text, begin);
     }

@@ -7,6 +7,7 @@
 #define HOLONOM_STEPPED_H
 
 #include "active_contacts.h"
+#include "estimate.h"
 #include "velocity_stage.h"
 
 enum { MOST_DIVISIONS = 7 }; /* of a half step that fails */
@@ -95,6 +96,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
         memcpy(c->s.mean_before, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
         memcpy(c->s.driven_mean_before, c->s.driven_mean, sizeof(double) * (size_t)(DIM * c->m->n_driven));
         follow_energies(c);
+        follow_coarseness(c, h);
     }
     c->stepping = 0;
     if (!is_stepped(c)) head[S_UNSETTLED] = 1.0; /* located mode looks at contacts anew */

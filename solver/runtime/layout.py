@@ -291,6 +291,10 @@ HEAD = (
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
     "as_pairs",  # steps in it whose higher order would have let a loss give energy
     "ledger_error",
+    "equal_steps",  # of the run, see coarseness.h
+    "errors_seen",  # of those looked at
+    "turned", "turning",  # largest turn of a body in one, squared [rad^2], and its node
+    "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
@@ -414,7 +418,8 @@ MEASURED = {
     "residual": "2",  # largest of positions and velocities, scaled
     "momentum": "dim",
     "angular_momentum": "turning",  # about the origin
-    "solver": "7",  # Newton iterations, Uzawa updates, substeps, order, as pairs, sampling, status
+    "solver": "8",  # Newton iterations, Uzawa updates, substeps, order, as pairs, sampling,
+    # coarseness, status
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts
@@ -463,6 +468,8 @@ RELATIONS = {
 `noted` is = 0, and a run that breaks it tells so and goes on."""
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
+MOST_COARSENESS = 1.0
+"""Largest `solver.coarseness`: beyond it equal steps are too long for the motion."""
 MOST_SAMPLING = 1.0
 """Largest `solver.sampling`: beyond it loads that read the mechanism drive it by their delay."""
 
