@@ -66,9 +66,8 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     c->s.head[S_LAST_LENGTH] = h;
     if (c->s.head[S_KNOWN] < 4.0) return 0;
     for (int64_t k = 0; k < n; k++) rate[k] = 0.5 * ((a[0][k] - before[0][k]) + (a[1][k] - before[1][k])) / between;
-    const double of_rate = mass_norm(c, rate), speed = mass_norm(c, c->s.v);
-    const double omega = speed > 0.0 ? sqrt(of_rate / speed) : 0.0;
-    *difference = h * h * h * relative_size(c, of_rate, omega * of_rate);
+    const double of_v = largest_difference(c, rate, 1);
+    *difference = h * h * h * hm_hypot(largest_difference(c, rate, 0), sqrt(of_v) * of_v);
     return 1;
 }
 
@@ -94,7 +93,7 @@ static int estimate_error(const context *c, double h, step_error *e)
     const double *x = c->k.estimate + (c->unweighted ? 0 : 2 * n);
     double difference;
     if (c->way == EXPLICIT) difference = c->difference;
-    else if (c->way == COVERED) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
+    else if (c->way == COVERED) difference = relative_size(c, x, x + n);
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     e->is_noise = is_noise(c, used->round_off, difference, h);
     if (c->unweighted) { /* the end that was not taken tells the error of the one that was, after so many pairs */
@@ -110,7 +109,7 @@ static int estimate_error(const context *c, double h, step_error *e)
     e->mean = used->mean * hm_pow(freed, order + 1);
     const int is_settled = has_strong_dampers(c);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
-        const double before = relative_size(c, mass_norm(c, x + 2 * n), mass_norm(c, x + 3 * n));
+        const double before = relative_size(c, x + 2 * n, x + 3 * n);
         const double next = difference * difference / hm_hypot(difference, before);
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);
