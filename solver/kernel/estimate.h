@@ -12,15 +12,17 @@
    settle, which no cover resolves. */
 #define FALL 4.6
 #define SETTLING 50.0
-/* Least error of a cover over its difference, with strong dampers. */
+/* Least error of a cover over its difference, with strong dampers; and what they settle in one of order 4, which has no difference
+   before. */
 #define SETTLED 1e-3
+#define SETTLED_OF_4 0.5
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of the step before: a force has jumped
    within the step, and no difference before it tells. */
 #define AT_A_JUMP 1.0
 #define SUDDEN 1.5
 /* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it precesses, the step errs by
    its spin. */
-#define SPINNING 2.0
+#define SPINNING 4.0
 
 /* A step of order p. */
 typedef struct method {
@@ -36,7 +38,7 @@ typedef struct method {
 /* The rates of explicit ones are of a spring that swings, their errors between those of all scenes. */
 static const method METHODS[] = {{COMPOSED, 2, 2.0, 1.0, 1.1e-2, 1e-13, 1.0, 2.0},   {COVERED, 4, 2.0, 4.9, 2.4e-3, 5e-14, 1.0, 6.0},
                                  {COVERED, 6, 4.0, 5.9, 3e-5, 5e-14, 1.5, 12.0},     {COVERED, 8, 6.0, 6.2, 7e-7, 5e-14, 2.0, 20.0},
-                                 {EXPLICIT, 5, 4.0, 5.3, 2.5e-4, 5e-14, 2.0, 6.0},   {EXPLICIT, 8, 7.0, 6.2, 5e-8, 5e-14, 4.0, 12.0}};
+                                 {EXPLICIT, 5, 4.0, 5.3, 2.5e-4, 5e-14, 2.0, 6.0},   {EXPLICIT, 8, 7.0, 6.2, 6e-8, 5e-14, 4.0, 12.0}};
 enum { N_METHODS = sizeof METHODS / sizeof *METHODS };
 
 typedef struct step_error {
@@ -115,6 +117,7 @@ static int estimate_error(const context *c, double h, step_error *e)
         else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
+    if (is_settled && c->way == COVERED && order == 4) e->settled = SETTLED_OF_4 * difference;
     else if (order == 4 && e->rate > SUDDEN * c->s.head[S_LAST_RATE]) e->mean = fmax(e->mean, AT_A_JUMP * difference);
     e->mean *= c->growth;
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
