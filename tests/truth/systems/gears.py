@@ -142,7 +142,7 @@ def _planetary(spring: float, torque: float, name: str, stop: float) -> System:
             "sun.angular_velocity": sun * rate,
         }
 
-    # Communication points lie close to where it turns back: the sun is never as slow as there.
+    # Communication points lie close to where it turns back, where the sun is slow.
     fastest = {"turn": sun * torque * sun / np.sqrt(spring * inertia)} if spring else {}
     return System(
         name=name, kind="gears", origin="closed form: Willis' equation, one freedom",
