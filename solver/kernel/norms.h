@@ -69,6 +69,13 @@ static double relative_size(const context *c, const double *dq, const double *dv
     return hm_hypot(largest_difference(c, dq, 0), largest_difference(c, dv, 1));
 }
 
+/* Likewise of mass norms, for steps of order 2: what is light, on a spring that pairs do not resolve, swings a little and goes nowhere. */
+static double size_by_mass(const context *c, double of_q, double of_v)
+{
+    const double speed = speed_scale(c);
+    return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
+}
+
 /* How fast velocities change [1/s]; 0: at rest, and for ever. */
 static double rate_of_motion(const context *c)
 {
