@@ -13,17 +13,15 @@
    settle, which no cover resolves. */
 #define FALL 4.6
 #define SETTLING 50.0
-/* Least error of a cover over its difference, with strong dampers; and what they settle in one of order 4, which has no difference
-   before. */
+/* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
-#define SETTLED_OF_4 0.5
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of the step before: a force has jumped
    within the step, and no difference before it tells. */
 #define AT_A_JUMP 1.0
 #define SUDDEN 1.5
 /* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it precesses, the step errs by
    its spin. */
-#define SPINNING 4.0
+#define SPINNING 2.0
 
 /* A step of order p. */
 typedef struct method {
@@ -31,15 +29,15 @@ typedef struct method {
     int order;         /* p                                                                                   */
     double lower;      /* r                                                                                   */
     double rate, mean; /* omega h over e^(1/(r+1)), and error over (omega h)^(p+1): means over mechanisms      */
-    double round_off;  /* of the difference: the norm of the weights times that of a solved step, of light bodies */
+    double round_off;  /* of the difference: the norm of the weights times that of a solved step              */
     double fastest;    /* largest omega h at which Newton's iteration still converges well                    */
     double solutions;  /* half steps in it, or stages                                                         */
 } method;
 
 /* The rates of explicit ones are of a spring that swings, their errors between those of all scenes. */
-static const method METHODS[] = {{COMPOSED, 2, 2.0, 1.0, 1.1e-2, 1e-13, 1.0, 2.0},   {COVERED, 4, 2.0, 4.9, 2.4e-3, 5e-14, 1.0, 6.0},
-                                 {COVERED, 6, 4.0, 5.9, 3e-5, 5e-14, 1.5, 12.0},     {COVERED, 8, 6.0, 6.2, 7e-7, 5e-14, 2.0, 20.0},
-                                 {EXPLICIT, 5, 4.0, 5.3, 2.5e-4, 1e-14, 2.0, 6.0},   {EXPLICIT, 8, 7.0, 6.2, 6e-8, 1e-14, 4.0, 12.0}};
+static const method METHODS[] = {{COMPOSED, 2, 2.0, 1.0, 1.1e-2, 1e-13, 1.0, 2.0},   {COVERED, 4, 2.0, 4.9, 2.4e-3, 1e-14, 1.0, 6.0},
+                                 {COVERED, 6, 4.0, 5.9, 3e-5, 1e-14, 1.5, 12.0},     {COVERED, 8, 6.0, 6.2, 7e-7, 1e-14, 2.0, 20.0},
+                                 {EXPLICIT, 5, 4.0, 5.3, 2.5e-4, 1e-14, 2.0, 6.0},   {EXPLICIT, 8, 7.0, 6.2, 5e-8, 1e-14, 4.0, 12.0}};
 enum { N_METHODS = sizeof METHODS / sizeof *METHODS };
 
 typedef struct step_error {
@@ -71,7 +69,7 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     for (int64_t k = 0; k < n; k++) rate[k] = 0.5 * ((a[0][k] - before[0][k]) + (a[1][k] - before[1][k])) / between;
     const double of_rate = mass_norm(c, rate), speed = mass_norm(c, c->s.v);
     const double omega = speed > 0.0 ? sqrt(of_rate / speed) : 0.0;
-    *difference = h * h * h * size_by_mass(c, of_rate, omega * of_rate);
+    *difference = h * h * h * relative_size(c, of_rate, omega * of_rate);
     return 1;
 }
 
@@ -136,8 +134,7 @@ static int estimate_error(const context *c, double h, step_error *e)
     const double *x = c->k.estimate + (c->unweighted ? 0 : 2 * n);
     double difference;
     if (c->way == EXPLICIT) difference = c->difference;
-    else if (c->unweighted) difference = size_by_mass(c, mass_norm(c, x), mass_norm(c, x + n));
-    else if (c->way == COVERED) difference = relative_size(c, x, x + n);
+    else if (c->way == COVERED) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     e->is_noise = is_noise(c, used->round_off, difference, h);
     if (c->unweighted) { /* the end that was not taken tells the error of the one that was, after so many pairs */
@@ -153,13 +150,12 @@ static int estimate_error(const context *c, double h, step_error *e)
     e->mean = used->mean * hm_pow(freed, order + 1);
     const int is_settled = has_strong_dampers(c);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
-        const double before = relative_size(c, x + 2 * n, x + 3 * n);
+        const double before = relative_size(c, mass_norm(c, x + 2 * n), mass_norm(c, x + 3 * n));
         const double next = difference * difference / hm_hypot(difference, before);
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
-    if (is_settled && c->way == COVERED && order == 4) e->settled = SETTLED_OF_4 * difference;
     else if (order == 4 && e->rate > SUDDEN * c->s.head[S_LAST_RATE]) e->mean = fmax(e->mean, AT_A_JUMP * difference);
     e->mean *= c->growth;
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
@@ -172,8 +168,8 @@ static int estimate_error(const context *c, double h, step_error *e)
 #define ACROSS_ROWS 10.0
 #define NEGLIGIBLE_ACROSS_ROWS 1e-6
 
-/* Largest rate of a row over its scale and the fastest motion, without what round-off of places over h explains. Differences
-   between orders do not see what alternates: it shows here. Rows of drivers have rates of signals, which are
+/* Largest rate of a row over its scale and the fastest motion, without what round-off of places over h explains. Errors in
+   the mass norm do not see light parts: their velocities show here. Rows of drivers have rates of signals, which are
    differences and tell nothing at a kink.                                                                       */
 HM_SELDOM static double velocity_defect(context *c, double h)
 {

@@ -69,7 +69,7 @@ static int32_t take_weighted(context *c, const double *booked)
     double *head = s->head, *dq = c->k.estimate, *dv = dq + n;
     const double *start = c->k.pair_backup;
     add_change(c, start, -1.0, dq);
-    if (!(relative_size(c, dq, dv) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
+    if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
     memcpy(c->k.loss, c->k.weighted_loss, sizeof(double) * (size_t)n_composites(c));
     if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
     for (int64_t k = 0; k < n; k++) {

@@ -1,4 +1,4 @@
-/* Sizes of motions in the mass norm, and of their differences as a user sees them. */
+/* Sizes of motions in the mass norm. */
 #ifndef HOLONOM_NORMS_H
 #define HOLONOM_NORMS_H
 
@@ -11,14 +11,37 @@ static double mass_norm(const context *c, const double *x)
     return sqrt(sum);
 }
 
-/* The larger one; a NaN stays. */
-static inline double larger(double largest, double x) { return !(x <= largest) && largest == largest ? x : largest; }
+/* Nodes of island i that are free. */
+static inline span free_nodes(const context *c, int32_t i)
+{
+    const int32_t *begin = c->m->island_begin + ISLAND_COLUMNS * i + ISLAND_FREE;
+    return (span){begin[0], begin[ISLAND_COLUMNS]};
+}
+
+static double mass_of_nodes(const context *c, span nodes)
+{
+    double sum = 0.0;
+    for (int32_t a = nodes.begin; a < nodes.end; a++) sum += c->number[c->m->node_mass_at + a];
+    return sum;
+}
+
+static double mass_of_all(const context *c) { return mass_of_nodes(c, (span){0, c->m->n_free}); }
+
+/* By how much errors of island i, in the mass norm, count more than those of all: else heavy ones would hide light ones. */
+static double weight_of_island(const context *c, int32_t i, double all)
+{
+    const double own = mass_of_nodes(c, free_nodes(c, i));
+    return own > 0.0 && c->m->n_islands > 1 ? all / own : 1.0;
+}
 
 /* Largest of phi (n_rows) over the scale of its row, of the rows at hand. */
 static double largest_row(const context *c, const double *phi)
 {
     double largest = 0.0;
-    EACH_ROW(c, i) largest = larger(largest, fabs(phi[i]) / c->number[c->m->row_scale_at + i]);
+    EACH_ROW(c, i) {
+        const double scaled = fabs(phi[i]) / c->number[c->m->row_scale_at + i];
+        if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
+    }
     return largest;
 }
 
@@ -39,38 +62,8 @@ static double speed_scale(const context *c)
     return fmax(sqrt(2.0 * c->s.head[S_ENERGY_REFERENCE]), mass_norm(c, c->s.v));
 }
 
-/* What differences of places, or of velocities, of points [0] and of directions [1] are compared with: the extent and 1, or the fastest
-   of either, and no less than the energy of the run makes of all. */
-HM_SELDOM static void scales_of_nodes(const context *c, int of_velocities, double *scale)
-{
-    const double extent = c->number[c->m->extent_at];
-    scale[0] = of_velocities ? speed_scale(c) * extent / c->number[c->m->extent_at + 1] : extent;
-    scale[1] = scale[0] / extent;
-    for (int32_t a = 0; a < c->m->n_free && of_velocities; a++) {
-        double *fastest = scale + (c->m->node_kind[a] != 0);
-        *fastest = fmax(*fastest, sqrt(dot(c->s.v + DIM * a, c->s.v + DIM * a)));
-    }
-}
-
-/* Largest difference of a point, or a direction, in u (n) over what it is compared with; heavy parts hide no light ones. 0 of
-   velocities where nothing has moved or could. */
-HM_SELDOM static double largest_difference(const context *c, const double *u, int of_velocities)
-{
-    double scale[2], largest = 0.0;
-    scales_of_nodes(c, of_velocities, scale);
-    for (int32_t a = 0; a < c->m->n_free && scale[0] > 0.0; a++)
-        largest = larger(largest, sqrt(dot(u + DIM * a, u + DIM * a)) / scale[c->m->node_kind[a] != 0]);
-    return largest;
-}
-
-/* Size of a difference in q and in v, relative to size and speed of the mechanism. */
-static double relative_size(const context *c, const double *dq, const double *dv)
-{
-    return hm_hypot(largest_difference(c, dq, 0), largest_difference(c, dv, 1));
-}
-
-/* Likewise of mass norms, for steps of order 2: what is light, on a spring that pairs do not resolve, swings a little and goes nowhere. */
-static double size_by_mass(const context *c, double of_q, double of_v)
+/* Mass norms of a difference in q and in v, relative to size and speed of the mechanism. */
+static double relative_size(const context *c, double of_q, double of_v)
 {
     const double speed = speed_scale(c);
     return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);

@@ -234,19 +234,42 @@ HM_SELDOM static double difference_of_stages(const context *at, const runge_kutt
     return first * first / hm_hypot(first, 0.1 * h * size_of_sum(at, x->difference[1], x->stages));
 }
 
+/* Square of the mass norm of u (n), in which islands count as in size_of_sum. */
+HM_SELDOM static double norm2_of_islands(const context *at, const double *u)
+{
+    const double all = mass_of_all(at);
+    double sum = 0.0;
+    for (int32_t island = 0; island < at->m->n_islands; island++) {
+        const double weight = weight_of_island(at, island, all);
+        const span nodes = free_nodes(at, island);
+        for (int32_t a = nodes.begin; a < nodes.end; a++) sum += weight * at->number[at->m->node_mass_at + a] * dot(u + DIM * a, u + DIM * a);
+    }
+    return sum;
+}
+
 /* Part of the difference from the first step of lower order that rows leave free. Factors are those of the end. */
 HM_SELDOM static double free_part(context *at, const runge_kutta *x)
 {
-    double *u = at->k.free, size[2];
+    double *sum = at->k.estimate, *u = at->k.free, square[2] = {0.0, 0.0};
+    const double size = at->number[at->m->extent_at + 1], speed = speed_scale(at);
+    int components;
     if (!at->m->n_rows) return 1.0;
-    const double all = size_of_sum(at, x->difference[0], x->stages), *sum = at->k.estimate;
+    weigh_stages(at, x->difference[0], x->stages, sum);
     find_asked_rates(at);
     for (int i = 0; i < 2; i++) {
-        sum = take_nodes(at, sum, u);
+        const double scale = i ? speed : size;
+        for (int32_t a = 0, next; a < at->n_moving; a = next, sum += components) {
+            next = behind(at, a, &components);
+            for (int32_t k = DIM * a; k < DIM * next; k += DIM) {
+                if (is_director(at, k / DIM)) turned_by(sum, at->s.q + k, u + k);
+                else EACH(l) u[k + l] = sum[l];
+            }
+        }
+        square[0] += norm2_of_islands(at, u) / hm_square(scale);
         leave_free(at, u);
-        size[i] = largest_difference(at, u, i);
+        square[1] += norm2_of_islands(at, u) / hm_square(scale);
     }
-    return all > 0.0 ? fmin(1.0, hm_hypot(size[0], size[1]) / all) : 1.0;
+    return square[0] > 0.0 ? fmin(1.0, sqrt(square[1] / square[0])) : 1.0;
 }
 
 /* Keeps the start of a step, of which velocities that other steps have left off the rows are put back first, if they can be. */

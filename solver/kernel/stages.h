@@ -35,31 +35,27 @@ static void weigh_stages(const context *at, const double *weight, int stages, do
     }
 }
 
-/* u (n) = the velocities, or accelerations, of the nodes in a sum of stages; what follows them in the sum. */
-static const double *take_nodes(const context *at, const double *sum, double *u)
-{
-    int components;
-    for (int32_t a = 0, next; a < at->n_moving; a = next, sum += components) {
-        next = behind(at, a, &components);
-        for (int32_t k = DIM * a; k < DIM * next; k += DIM) {
-            if (is_director(at, k / DIM)) turned_by(sum, at->s.q + k, u + k);
-            else EACH(l) u[k + l] = sum[l];
-        }
-    }
-    return sum;
-}
-
-/* Size of the sum of so many stages with these weights, relative to size and speed. */
+/* Size of the sum of so many stages with these weights, relative to size and speed: of the island where it is largest. */
 HM_SELDOM static double size_of_sum(const context *at, const double *weight, int stages)
 {
-    double *u = at->k.free, size[2];
+    const double *x = at->k.estimate, *v = x + stage_size(at);
+    const double all = mass_of_all(at);
+    double largest = 0.0;
+    int components;
     weigh_stages(at, weight, stages, at->k.estimate);
-    const double *sum = at->k.estimate;
-    for (int i = 0; i < 2; i++) {
-        sum = take_nodes(at, sum, u);
-        size[i] = largest_difference(at, u, i);
+    for (int32_t island = 0; island < at->m->n_islands; island++) {
+        const span nodes = free_nodes(at, island);
+        double square[2] = {0.0, 0.0};
+        for (int32_t a = nodes.begin; a < nodes.end; x += components, v += components) {
+            const double mass = (is_director(at, a) ? DIM - 1 : 1) * at->number[at->m->node_mass_at + a];
+            a = behind(at, a, &components);
+            for (int k = 0; k < components; k++) square[0] += mass * x[k] * x[k], square[1] += mass * v[k] * v[k];
+        }
+        const double times = sqrt(weight_of_island(at, island, all));
+        const double size = relative_size(at, times * sqrt(square[0]), times * sqrt(square[1]));
+        if (!(size <= largest)) largest = size; /* a NaN, too */
     }
-    return hm_hypot(size[0], size[1]);
+    return largest;
 }
 
 /* How fast the rotation vector psi of a turn changes at the angular velocity omega (psi_rate, overwritten):

@@ -1041,12 +1041,10 @@ def _(how: str) -> None:
     assert abs(found["crank.angular_velocity"][-1] - 143.38373137) < bound * 150
 
 
-@right("tree_of_25", "at 1e-7 a second takes at most 1400 internal steps")
+@right("tree_of_25", "at 1e-7 a second takes at most 1000 internal steps")
 def _() -> None:
-    # Light bodies count: errors of turning are 0.007 to 0.023 of requests of 1e-4 to 1e-8. Where heavy
-    # ones hid them, they rose from 0.03 to 1.0, and a second took 852.
     found = run(text_of("tree_of_25"), 1.0, 0.1, ["solver.substeps", "torso.x"], tolerance=1e-7)
-    assert found["solver.substeps"].sum() < 1400
+    assert found["solver.substeps"].sum() < 1000
 
 
 # --------------------------------------------------------------------------- contacts, friction
