@@ -13,6 +13,7 @@ enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
 #define REJECTED 2.0  /* times what a step may add, at which it is repeated */
+#define REJECTED_EXPLICIT 4.0 /* likewise of an explicit one, which costs more to repeat */
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define SHORTER 5.0 /* runs begin with pairs where springs are faster than the motion by this, and would be all that others show */
@@ -149,7 +150,7 @@ static int judge_step(context *c, double h, double step)
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     head[S_WANTED] = h * fmin(fmax(change, SHORTEST), 2.0);
     if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
-    if (share > REJECTED) return 1;
+    if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
     if (judged) head[S_LAST_RATE] = e.rate;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
