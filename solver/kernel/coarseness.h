@@ -13,9 +13,12 @@ enum { STEPS_A_LOOK = 8 };    /* an estimate costs some percent of a step of sma
 /* Turn of a body in a step, by the order of steps [rad]: beyond, some hundred steps err by more than 1e-2. */
 static inline double hm_longest_turn(const double *head)
 {
-    static const double longest[] = {0.22, 1.0, 2.0, 2.5};
-    return longest[head[S_STEPPED] != 0.0 ? 0 : (int)fmax(head[S_ORDER], 2.0) / 2 - 1];
+    const double order = head[S_STEPPED] != 0.0 ? 2.0 : head[S_ORDER];
+    return order > 6.0 ? 2.5 : order > 4.0 ? 2.0 : order > 2.0 ? 1.0 : 0.22;
 }
+
+/* Whether the present step of order 2 is one that is looked at. */
+static inline int hm_is_looked_at(double steps) { return steps - STEPS_A_LOOK * floor(steps / STEPS_A_LOOK) == 2.0; }
 
 /* Error of so many equal steps, if they add as much as those looked at, which are the second one and every eighth from there on; 0
    where nothing tells it. */

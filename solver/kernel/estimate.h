@@ -106,9 +106,10 @@ HM_OFTEN void follow_coarseness(const context *c, double h)
         square *= h * h / (DIM - 1);
         if (square > head[S_TURNED]) turn_further(c, h, a, square);
     }
-    if (is_unilateral(c->m) || head[S_ORDER_IN_USE] > 2.0) return;
+    /* Contacts and inputs may jump: one look would stand for steps that have none of it. */
+    if (is_unilateral(c->m) || c->m->n_inputs || head[S_ORDER_IN_USE] > 2.0) return;
     head[S_EQUAL_STEPS] += 1.0;
-    if ((int64_t)head[S_EQUAL_STEPS] % STEPS_A_LOOK == 2) estimate_equal_step(c, h);
+    if (hm_is_looked_at(head[S_EQUAL_STEPS])) estimate_equal_step(c, h);
     else head[S_LAST_LENGTH] = h;
 }
 

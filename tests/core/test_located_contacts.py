@@ -38,8 +38,8 @@ NEAR_EVENTS = 1e-6
 
 ORDER_4 = {"belt_and_block", "falling_rod", "mass_in_a_circle"}
 """Scenes that are compared in steps of that order; the others, for the sake of time, of order 2."""
-STEPS = {"ratchet": 0.005}
-"""Steps where those of the scene are divided, since they are too long to be solved."""
+STEPS = {"ratchet": 0.005, "bowling_ball": 0.01}
+"""Steps where those of the scene are too long to be solved, or end beside the event."""
 EVENTS = {
     "ball_on_hills": 0.285, "belt_and_block": 0.26, "bouncing_ball": 0.46, "bowling_ball": 1.17,
     "falling_chain": 0.198, "falling_rod": 0.43,

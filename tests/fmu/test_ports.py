@@ -45,7 +45,7 @@ def test_a_local_variable_has_the_value_that_it_has_as_a_port(native, tmp_path):
 
 
 def test_a_pattern_that_matches_nothing_is_refused_with_what_there_is(tmp_path):
-    with pytest.raises(UsageError, match=r"fmu.outputs: error: 'tup.\*' matches none of the 41"):
+    with pytest.raises(UsageError, match=r"fmu.outputs: error: 'tup.\*' matches none of the 42"):
         build(SCENES / "four_bar.toml", tmp_path, parameters={"fmu.outputs": ["B0.x", "tup.*"]})
 
 
