@@ -56,8 +56,6 @@ class Run:
     """Largest magnitude of what moves, by unit."""
     variables: Sequence[ScalarVariable] = ()
     """What the FMU says of the columns."""
-    lag: str = ""
-    """That velocities do not follow the constraints, of a run that is checked."""
 
     @property
     def end_time(self) -> float:

@@ -15,8 +15,6 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 from build_fmu.errors import UNFINISHED, UsageError
-from build_fmu.jumps import jumps
-from build_fmu.motion import RESIDUAL, lag_of_velocities
 from build_fmu.plotting import check_plot, plot_run
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_by_paper, run_fmu
@@ -97,10 +95,6 @@ def simulate(
             result = run_by_paper(path, fmu_model(path), formulation, **known)
         else:
             result = run_fmu(path, inputs=arguments.inputs, progress=progress, **known)
-    if with_local and RESIDUAL in (result.values.dtype.names or ()):
-        largest, by_unit = result.largest(RESIDUAL), result.largest_by_unit
-        lag = lag_of_velocities(largest, by_unit, lambda: jumps(fmu_model(path)))
-        result = replace(result, lag=lag)
     if not arguments.report:
         keep(result)
         return result

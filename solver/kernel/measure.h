@@ -47,24 +47,36 @@ static void extrapolate(const context *c, int32_t n, const double *mean, const d
     for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
 }
 
-/* Multipliers and forces on driven nodes that the state asks for. Half steps tell their means, to order 2 whatever the order of the
-   motion is. With equal steps means stand: they are what acts in steps that may be longer than what swings. */
-HM_SELDOM static void forces_of_state(context *c, const hm_measured *y)
+/* Multipliers and forces on driven nodes as half steps tell them: their means. */
+static void mean_forces(const context *c, const hm_measured *y)
 {
-    const size_t bytes = sizeof(double) * (size_t)c->state_size;
+    extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
+    extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
+}
+
+/* Whether the state tells forces better than means do, which are of order 2 whatever the order of the motion is. With equal steps means
+   stand: they are what acts in steps that may be longer than what swings. */
+static int tells_forces(const context *c)
+{
+    const holonom_model *m = c->m;
+    return (m->n_rows || m->n_driven) && c->s.head[S_TOLERANCE] > 0.0 && !is_unilateral(m) && c->s.head[S_MEAN_TIME] != c->t;
+}
+
+/* Likewise, as the state asks for them, beginning with those that are there. State and laws stay as they are. */
+HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
+{
     const double last = c->s.head[S_STEP_SIZE];
-    double *a = c->k.estimate, *mu = c->k.stages;
     context at = rows_at_state(c);
-    memcpy(c->k.whole_backup, c->s.head, bytes);
-    memcpy(mu, y->multiplier, sizeof(double) * (size_t)c->m->n_rows);
+    keep_state(c, c->k.whole_backup);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
     follow_signals(c, c->t - last, last, 1.0);
     laws_within(&at, c->t - last, last, 1.0);
-    EACH_ISLAND(&at, island) status = status ? status : accelerate(&at, a, mu);
-    if (!status && c->m->n_driven) status = hold_driven(&at, a, mu, y->driven_force);
-    if (!status) memcpy(y->multiplier, mu, sizeof(double) * (size_t)c->m->n_rows);
-    memcpy(c->s.head, c->k.whole_backup, bytes);
+    EACH_ISLAND(&at, island) status = status ? status : accelerate(&at, c->k.estimate, y->multiplier);
+    if (!status && c->m->n_driven) status = hold_driven(&at, c->k.estimate, y->multiplier, y->driven_force);
+    take_state(c, c->k.whole_backup);
+    set_laws(c, c->t, 0);
+    return status;
 }
 
 /* Multipliers, forces on driven nodes, and the forces along rods, 2 mu |u|, positive in tension. */
@@ -72,9 +84,8 @@ static void measure_rows(context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];
-    extrapolate(c, m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
-    extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
-    if (c->s.head[S_TOLERANCE] > 0.0 && !is_unilateral(m) && c->s.head[S_MEAN_TIME] != c->t) forces_of_state(c, y);
+    mean_forces(c, y);
+    if (tells_forces(c) && forces_of_state(c, y)) mean_forces(c, y);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
         y->rod_force[i] = y->multiplier[i] * 2.0 * sqrt(dot(u, u));

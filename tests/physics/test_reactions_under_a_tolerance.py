@@ -78,3 +78,15 @@ def test_a_driver_holds_what_its_formula_asks_for_at_the_end_of_a_step(order):
         turned, bend = math.sin(2.0 * run.time), -4.0 * math.sin(2.0 * run.time)
         asked = (0.2 + 2.0 * 0.25) * bend + 2.0 * 9.81 * 0.5 * math.cos(turned)
         assert float(run["motor.torque"]) == pytest.approx(asked, abs=1e-6 * 10.0)
+
+
+@pytest.mark.parametrize("order", [0, 2, 4, 6, 8])
+def test_reactions_leave_formulas_of_time_as_they_are(order):
+    """Reactions are those before a jump at the present time; a formula has its value there."""
+    text = PENDULUM.format(damping=0.5, tolerance=1e-6, order=order)
+    text += '[outputs]\nload = { value = "-7*(t >= 0.5)", unit = "N" }\n'
+    text += '[forces.push]\ntype = "force"\npoint = "P"\nvalue = ["-7*(t >= 0.5)", 0]\n'
+    run = solver.Integrator(solver.assemble(solver.loads(text)))
+    for _ in range(5):
+        run.advance(run.time, 0.1)
+    assert run.get(range(len(run.model.variables)))[run.model.index("load")] == -7.0
