@@ -95,11 +95,12 @@ def _two_runs(arguments: argparse.Namespace) -> tuple[Run, str, Accuracy | None]
     entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     with runnable(arguments.target, entries) as (path, left):
         result = simulate(arguments, path, left, with_local=True)
+        outputs = result.values.dtype.names or ()
         for name in ("energy.error", "constraint.position"):
-            if name not in (result.values.dtype.names or ()):
+            if name not in outputs:
                 text = f"{arguments.target} has no output {name!r}; check is for FMUs of holonom"
                 raise UsageError(text)
-        residual = result.largest(RESIDUAL) if RESIDUAL in result.values.dtype.names else 0.0
+        residual = result.largest(RESIDUAL) if RESIDUAL in outputs else 0.0
         lag = lag_of_velocities(residual, result.largest_by_unit, lambda: jumps(fmu_model(path)))
         if result.reason or not result.moved:
             return result, lag, None
