@@ -176,7 +176,7 @@ HM_SELDOM static void bound_across(context *c)
    it about as much faster as they are shorter. The work is what energies ask for. Where rows cannot follow, all stays as it is. */
 HM_SELDOM static void follow_jumps(context *c)
 {
-    int jumps = 0, held = 0;
+    int jumps = 0, held = 1;
     signals_at(c, c->t, c->k.signal1);
     for (int32_t b = 0; b < c->m->n_signals; b++)
         jumps |= fabs(c->k.signal1[b] - c->s.signal[b]) > JUMP * fmax(1.0, fabs(c->s.signal[b]));
@@ -188,7 +188,9 @@ HM_SELDOM static void follow_jumps(context *c)
     signal_rates_at(c, c->t, c->k.signal_rate);
     place_driven(c);
     take_unknowns(&at);
-    if (factorise_here(&at) || put_back(c, &at, &held)) take_state(c, before);
+    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
+    /* Velocities of a body that has turned far want factors of where it is now. */
+    if (held || factorise_here(&at) || !put_velocities_back(c, &at)) take_state(c, before);
     else follow_turns(c);
     c->s.head[S_MEAN_TIME] = INFINITY;
     forget_halves(c);
