@@ -37,7 +37,8 @@ def test_a_trial_that_fails_is_no_obstacle_and_is_told():
 
 def test_twice_as_fine_a_run_halves_the_step_and_shows_the_error_of_second_order():
     """Error of a pendulum with step h is near 4/3 of the difference to half the step."""
-    model = solver.assemble(solver.load(SCENES / "pendulum.toml"))
+    equal = {"solver.step_size": 0.01}
+    model = solver.assemble(solver.load(SCENES / "pendulum.toml", equal))
     seen = self_check(model)
     exact = solver.simulate(model, stop_time=seen.duration, step_size=0.05, order=8)
     coarse = solver.simulate(model, stop_time=seen.duration, step_size=0.05)
