@@ -316,6 +316,7 @@ static int32_t stop_before(context *c, double *length)
 {
     const double whole = *length;
     if (!(length_before_stop(c, whole) < whole)) return HOLONOM_OK;
+    if (mesh_of(c)) mesh_of(c)->projected_at = c->t;
     int32_t status = project_velocities(c, S_IMPACT);
     if (!status) status = event_functions(c, values_at(c, AT_LOW));
     *length = length_before_stop(c, whole);
@@ -386,7 +387,9 @@ static int32_t end_piece(context *c, double t, double law_time, double h, double
         const int stops = follow_slips(c, high);
         copy_values(c, high, stops ? values_at(c, AT_TRIAL) : low);
         if (!stops) return HOLONOM_OK;
-    }
+        if (mesh_of(c)) say_end(c, END_STOP, -1, 0.0);
+    } else if (mesh_of(c))
+        say_end(c, END_EVENT, c->event, values_at(c, AT_TRIAL).value[c->event]);
     if (!(c->s.head[S_EVENTS] < c->s.head[S_MAX_EVENTS])) return HOLONOM_TOO_MANY_EVENTS;
     status = change_modes(c);
     return status ? status : settle(c);
