@@ -29,7 +29,8 @@ ROOM = 2**16
 """Internal steps that a communication step may have."""
 PARTS = ("dim", "n_free", "n_driven", "n_rows", "n_contacts", "n_frictions", "n_islands")
 """Sizes of a model that must be those of the recorded one."""
-LIMITS = {"explicit": 1, "careful": 1, "lowered": 1, "projected": 1, "put_back": 1}
+LIMITS = {"explicit": 1, "careful": 1, "put_back": 1}
+LIMITS |= dict.fromkeys(("lowered", "projected", "started"), 100)
 LIMITS |= {"taken": len(MESH_TAKEN) - 1, "end": len(MESH_ENDS) - 1, "order": 8}
 """Largest values of columns that are whole numbers."""
 
@@ -107,7 +108,7 @@ class Mesh:
             return "has a number that is not finite"
         if not (self.ends[:1] == 0).all() or not (np.diff(self.ends) > 0).all():
             return "has a communication step without internal steps"
-        if self.ends[-1:].sum() != len(self.steps) or not (self["length"] > 0.0).all():
+        if self.ends[-1:].sum() != len(self.steps) or not (self.steps[:, 1:3] > 0.0).all():
             return "has internal steps of no length, or beyond its end"
         functions = self.parts["n_contacts"] + self.parts["n_frictions"]
         limits = {**LIMITS, "function": max(functions - 1, 0)}

@@ -316,7 +316,7 @@ static int32_t stop_before(context *c, double *length)
 {
     const double whole = *length;
     if (!(length_before_stop(c, whole) < whole)) return HOLONOM_OK;
-    if (mesh_of(c)) mesh_of(c)->projected_at = c->t;
+    if (mesh_of(c)) note_ahead(c, MESH_PROJECTED - MESH_LOWERED);
     int32_t status = project_velocities(c, S_IMPACT);
     if (!status) status = event_functions(c, values_at(c, AT_LOW));
     *length = length_before_stop(c, whole);

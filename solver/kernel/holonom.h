@@ -62,12 +62,15 @@ typedef struct holonom_watch {
 
 enum { HOLONOM_WORK_BETWEEN_LOOKS = 1 << 20 };
 
+enum { HOLONOM_AHEAD = 3 };
+
 /* Internal steps of a communication step, a row of MESH_SIZE numbers each (layout.py): those that are taken, or those to repeat. */
 typedef struct holonom_mesh {
     double *row;   /* `room` rows, modified where steps are recorded      */
     int64_t room, count;
     double *start; /* room for a state, to repeat; NULL to record           */
-    double lowered_at, projected_at; /* modified: when penalties were last lowered, and velocities put onto the rows   */
+    /* Modified: how often penalties were lowered, and velocities put onto the rows, of located contacts and of explicit steps, and when. */
+    double ahead[HOLONOM_AHEAD], ahead_of[HOLONOM_AHEAD];
     int32_t is_full; /* modified: whether there was no room for a row      */
 } holonom_mesh;
 

@@ -5,7 +5,7 @@
 #ifndef HOLONOM_MESH_H
 #define HOLONOM_MESH_H
 
-#include "row_state.h"
+#include "step.h"
 
 /* The mesh that is recorded, and the one that is repeated, or NULL; no FMU has either. */
 #if defined(HOLONOM_STATIC)
@@ -25,6 +25,14 @@ HM_SELDOM static double modes_of(const context *c)
     return code;
 }
 
+/* Notes what is done to the state ahead of a step, maybe more than once: tries that fail leave it so. */
+HM_SELDOM static void note_ahead(context *c, int what)
+{
+    holonom_mesh *x = mesh_of(c);
+    x->ahead[what] = x->ahead_of[what] == c->t ? x->ahead[what] + 1.0 : 1.0;
+    x->ahead_of[what] = c->t;
+}
+
 /* The row of the last step, whose end is at hand. */
 static double *last_row(const holonom_mesh *x) { return x->row + MESH_SIZE * (x->count - 1); }
 
@@ -40,12 +48,12 @@ HM_SELDOM static void begin_row(context *c, double h)
     memset(row, 0, sizeof(double) * MESH_SIZE);
     row[MESH_TIME] = c->t;
     row[MESH_LENGTH] = h;
+    row[MESH_USUAL] = usual_length(c);
     row[MESH_ORDER] = head[S_ORDER_IN_USE];
     row[MESH_EXPLICIT] = head[S_EXPLICIT] != 0.0 && !c->passing;
     row[MESH_CAREFUL] = c->careful;
     row[MESH_KNOWN] = head[S_KNOWN];
-    row[MESH_LOWERED] = x->lowered_at == c->t;
-    row[MESH_PROJECTED] = x->projected_at == c->t;
+    for (int k = 0; k < HOLONOM_AHEAD; k++) row[MESH_LOWERED + k] = x->ahead_of[k] == c->t ? x->ahead[k] : 0.0;
     row[MESH_FUNCTION] = -1.0;
     row[MESH_MODES] = modes_of(c);
 }

@@ -31,6 +31,7 @@ static int32_t take_again(context *c, const double *row, double h)
 {
     double *head = c->s.head;
     int32_t status = HOLONOM_OK;
+    head[S_WANTED] = row[MESH_USUAL];
     head[S_ORDER_IN_USE] = row[MESH_ORDER];
     head[S_EXPLICIT] = row[MESH_EXPLICIT];
     head[S_KNOWN] = fmin(head[S_KNOWN], row[MESH_KNOWN]);
@@ -38,7 +39,12 @@ static int32_t take_again(context *c, const double *row, double h)
     c->passing = c->unweighted = 0;
     c->damped = is_dissipative(c);
     if (row[MESH_LOWERED] != 0.0) lower_penalties(c);
-    if (row[MESH_PROJECTED] != 0.0) status = project_velocities(c, S_IMPACT);
+    for (double k = 0.0; !status && k < row[MESH_PROJECTED]; k++) status = project_velocities(c, S_IMPACT);
+    for (double k = 0.0; !status && k < row[MESH_STARTED]; k++) {
+        context at = rows_at_state(c);
+        take_unknowns(&at);
+        status = keep_explicit_start(c, &at);
+    }
     if (!status && row[MESH_PROJECTED] != 0.0) status = event_functions(c, values_at(c, AT_LOW));
     if (status) return status;
     if (is_unilateral(c->m)) keep_start(c);

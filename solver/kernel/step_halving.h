@@ -3,7 +3,6 @@
 #define HOLONOM_STEP_HALVING_H
 
 #include "extrapolation.h"
-#include "mesh.h"
 #include "runge_kutta.h"
 
 /* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
@@ -114,7 +113,7 @@ static int32_t internal_step(context *c, double h)
 HM_OFTEN void lower_penalties(context *c)
 {
     if (!is_unilateral(c->m)) return;
-    if (mesh_of(c)) mesh_of(c)->lowered_at = c->t;
+    if (mesh_of(c)) note_ahead(c, 0);
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         double *own = c->s.islands + I_SIZE * island;
         own[I_PENALTY_LEVEL] = own[I_SLOW_STEPS] = 0.0;

@@ -38,8 +38,8 @@ class MeshMemory(ctypes.Structure):
 
     _fields_ = [
         ("_row", ctypes.c_void_p), ("_room", ctypes.c_int64), ("_count", ctypes.c_int64),
-        ("_start", ctypes.c_void_p), ("_lowered_at", ctypes.c_double),
-        ("_projected_at", ctypes.c_double), ("_is_full", ctypes.c_int32),
+        ("_start", ctypes.c_void_p), ("_ahead", ctypes.c_double * 3),
+        ("_ahead_of", ctypes.c_double * 3), ("_is_full", ctypes.c_int32),
     ]  # fmt: skip
 
     def __init__(self, room: int, state: int = 0) -> None:
@@ -53,7 +53,7 @@ class MeshMemory(ctypes.Structure):
     def clear(self) -> None:
         """Forget the steps of before."""
         self._count = self._is_full = 0
-        self._lowered_at = self._projected_at = math.nan
+        self._ahead_of[:] = [math.nan] * 3
 
     def fill(self, numbers: Sequence[float]) -> None:
         """Take the steps to repeat, one after the other."""

@@ -367,11 +367,12 @@ FRICTION_MODES = ("off", "sticks", "slides")
 
 MESH = (
     "time", "length",  # of the step: its beginning, and how long it is [s]
+    "usual",  # length of steps at that time, which tells short ones [s]
     "order", "explicit",  # that it was to have, and whether it was to be explicit
     "careful",  # whether smooth frictions had steeper slopes in the tangent
     "known",  # half steps before it that tell its first guess
-    "lowered",  # whether penalties were lowered ahead of it
-    "projected",  # whether velocities were put onto the rows ahead of it
+    "lowered", "projected", "started",  # how often ahead of it penalties were lowered, and velocities
+    # put onto the rows: of located contacts, and of explicit steps
     "taken",  # how it was taken, `MESH_TAKEN`
     "put_back",  # whether velocities were put back behind it
     "end",  # what ended it, `MESH_ENDS`
