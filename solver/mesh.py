@@ -1,13 +1,11 @@
 """The mesh of a run: how its internal steps were taken, to be repeated with other numbers.
 
 A run under a tolerance chooses lengths and methods anew whenever a number changes, so its results
-jump by about the tolerance. With a mesh that is kept they are smooth functions of the numbers, which
-can be differentiated.
+jump by about the tolerance. With a mesh that is kept they are smooth functions of the numbers.
 """
 
 from __future__ import annotations
 
-import ctypes
 import json
 import os
 import zipfile
@@ -87,16 +85,32 @@ class Mesh:
             with np.load(path, allow_pickle=False) as file:
                 about = json.loads(str(file["about"]))
                 names = tuple(file["columns"].tolist())
-                arrays = [file[name] for name in ("times", "steps", "ends")]
-                mesh = cls(*arrays, about["settings"], about["parts"])
+                times, steps, ends = (file[name] for name in ("times", "steps", "ends"))
+                mesh = cls(times, steps, ends, about["settings"], about["parts"])
         except (ValueError, KeyError, TypeError, zipfile.BadZipFile, EOFError):
             text = f"{os.fspath(path)}: is no mesh of a run; record it again"
             raise OptionError(text) from None
-        if names != MESH or (flaw := mesh.flaw()):
-            flaw = "was written by another version" if names != MESH else flaw
+        flaw = mesh.flaw() if names == MESH else "was written by another version"
+        if flaw:
             text = f"{os.fspath(path)}: {flaw}; record it again"
             raise OptionError(text)
         return mesh
+
+    def settings_for(self, model: Model) -> dict[str, float | str | bool]:
+        """Return the settings that the solver of a model needs to repeat it.
+
+        Raises
+        ------
+        OptionError
+            If it is the mesh of a mechanism of other parts, or damaged.
+        """
+        if flaw := self.flaw():
+            text = f"mesh: {flaw}; record it again"
+            raise OptionError(text)
+        if dict(self.parts) != _parts(model):
+            text = "mesh: is that of a mechanism with other parts; record it with this one"
+            raise OptionError(text)
+        return dict(self.settings)
 
     def flaw(self) -> str:
         """Return what no recorded mesh has; empty of a sound one."""
@@ -171,18 +185,12 @@ class Repeating:
         Raises
         ------
         OptionError
-            If the mesh is of a mechanism of other parts, or has other communication points.
+            If the mesh has other communication points.
         """
-        if flaw := mesh.flaw():
-            text = f"mesh: {flaw}; record it again"
-            raise OptionError(text)
-        if dict(mesh.parts) != _parts(integrator.model):
-            text = "mesh: is that of a mechanism with other parts; record it with this one"
-            raise OptionError(text)
         if not np.array_equal(mesh.times, times):
             text = (
-                f"mesh: has {len(mesh.times)} communication points up to {mesh.times[-1]:g} s, this "
-                f"run has {len(times)} up to {times[-1]:g} s, or others between; give the "
+                f"mesh: has {len(mesh.times)} communication points up to {mesh.times[-1]:g} s, "
+                f"this run has {len(times)} up to {times[-1]:g} s, or others between; give the "
                 "stop_time, step_size and jumps of inputs of the recorded run"
             )
             raise OptionError(text)

@@ -229,7 +229,7 @@ def simulate(
             raise UnknownNameError(name, [f"solver.{x}" for x in (*OPTIONS, *PAPER)])
     held = {name: value for name, value in (inputs or {}).items() if not changes(value)}
     if mesh:
-        settings = dict(mesh.settings)
+        settings = mesh.settings_for(model)
     for name, value in {**(parameters or {}), **held, **settings}.items():
         integrator[name] = value
     names = _collected(model, outputs)

@@ -113,7 +113,7 @@ static int32_t take_to_event(context *c, const mesh_piece *x, double law_time, d
 /* Finds the factor at which a piece ends at its event, by secants until round-off ends them. */
 static int32_t meet_event(context *c, mesh_piece *x, double law_time, double longest)
 {
-    double left, before, factor = 1.0, best = 1.0, least = INFINITY, change = FIRST_SECANT;
+    double left, before = 0.0, factor = 1.0, best = 1.0, least = INFINITY, change = FIRST_SECANT;
     int32_t status = take_to_event(c, x, law_time, &left);
     for (int k = 0; !status && left != 0.0; k++) {
         if (!(fabs(left) < INFINITY) || k == MOST_SECANTS) return HOLONOM_MESH_EVENTS;

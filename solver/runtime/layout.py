@@ -371,8 +371,8 @@ MESH = (
     "order", "explicit",  # that it was to have, and whether it was to be explicit
     "careful",  # whether smooth frictions had steeper slopes in the tangent
     "known",  # half steps before it that tell its first guess
-    "lowered", "projected", "started",  # how often ahead of it penalties were lowered, and velocities
-    # put onto the rows: of located contacts, and of explicit steps
+    "lowered", "projected", "started",  # how often, ahead of it, penalties were lowered, and
+    # velocities put onto the rows: of located contacts, and of explicit steps
     "taken",  # how it was taken, `MESH_TAKEN`
     "put_back",  # whether velocities were put back behind it
     "end",  # what ended it, `MESH_ENDS`
@@ -385,7 +385,7 @@ MESH_TAKEN = ("pairs", "cover", "finest", "explicit", "short", "stepped")
 """How an internal step was taken: by pairs of half steps, a weighted cover, the finest cover alone,
 explicitly, by Taylor's series, or with contacts that change without being located."""
 MESH_ENDS = ("length", "switch", "event", "stop")
-"""What ended it: its length, a switch of the laws, an event of contacts, a slip in space that stops."""
+"""What ended it: its length, a switch of laws, an event of contacts, a slip in space that stops."""
 
 STATE = {
     "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over
