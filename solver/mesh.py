@@ -130,7 +130,7 @@ class Mesh:
             column = self[name]
             if (column != np.floor(column)).any() or not (column <= most).all():
                 return f"has a value of {name!r} that no run comes to"
-        located = self["end"] == MESH_ENDS.index("event")
+        located = self["end"] >= MESH_ENDS.index("event")
         if (self["function"] < np.where(located, 0, -1)).any() or (self["order"] < 2).any():
             return "has an event without a contact, or a step without an order"
         return ""

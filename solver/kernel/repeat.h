@@ -12,6 +12,8 @@
 
 enum { MOST_SECANTS = 40 };
 #define FIRST_SECANT 1e-4 /* by which the second factor differs from 1 */
+#define ROUND_OFF_SECANT 1e-9 /* so near to the factor before it round-off is all that is left */
+#define FIRST_SHORTER 0.01 /* likewise where steps beyond the event fail */
 #define MOST_FACTOR 4.0   /* of lengths, and its inverse */
 #define REACH 1.25        /* times the recorded length: how far on a switch is looked for */
 
@@ -56,8 +58,8 @@ static int32_t take_again(context *c, const double *row, double h)
     return HOLONOM_OK;
 }
 
-/* Looks for changes of contacts and laws in a step that has just been taken, of length h from t, where the recorded one had none. */
-static int32_t look_for_events(context *c, const double *row, double t, double law_time, double h)
+/* Looks for changes of contacts in a step that has just been taken, of length h from t, where the recorded one had none. */
+static int32_t look_for_events(context *c, double t, double law_time, double h)
 {
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
     double covered = h;
@@ -70,9 +72,9 @@ static int32_t look_for_events(context *c, const double *row, double t, double l
     if (status) return status;
     if (c->event >= 0 || covered < h) return HOLONOM_MESH_EVENTS;
     if (!friction_takes_energy(c)) return HOLONOM_CONTACT_UNDECIDED;
-    const int stops = follow_slips(c, high);
-    copy_values(c, high, stops ? values_at(c, AT_TRIAL) : low);
-    return stops == (row[MESH_END] == END_STOP) ? HOLONOM_OK : HOLONOM_MESH_EVENTS;
+    if (follow_slips(c, high)) return HOLONOM_MESH_EVENTS;
+    copy_values(c, high, low);
+    return HOLONOM_OK;
 }
 
 /* Takes the steps of a piece; with `looks` events are looked for in those that had none. */
@@ -82,7 +84,7 @@ static int32_t take_piece(context *c, const mesh_piece *x, int looks)
     for (const double *row = x->first; row <= x->last; row += MESH_SIZE) {
         const double law_time = c->number[c->m->time_at];
         const double t = same ? row[MESH_TIME] : x->begin + x->factor * (row[MESH_TIME] - x->first[MESH_TIME]);
-        const int is_last = row == x->last, is_located = row[MESH_END] == END_EVENT;
+        const int is_last = row == x->last, is_located = row[MESH_END] > END_SWITCH;
         const double h = !same && is_last && x->end == x->end ? x->end - t : x->factor * row[MESH_LENGTH];
         if (is_stopped(c)) return HOLONOM_STOPPED;
         if (row[MESH_TAKEN] == TAKEN_STEPPED) return HOLONOM_MESH_STEPPED;
@@ -90,9 +92,10 @@ static int32_t take_piece(context *c, const mesh_piece *x, int looks)
         if (looks && tight && row[MESH_END] != END_SWITCH && length_to_switch(c, t, h) < h) return HOLONOM_MESH_EVENTS;
         c->t = t;
         int32_t status = take_again(c, row, h);
-        if (!status && looks && is_unilateral(c->m) && !is_located) status = look_for_events(c, row, t, law_time, h);
+        if (!status && looks && is_unilateral(c->m) && !is_located) status = look_for_events(c, t, law_time, h);
+        else if (!is_located) follow_slips(c, values_at(c, AT_HIGH));
         if (status) return status;
-        if (row[MESH_END] > END_SWITCH) return HOLONOM_OK; /* contacts change first */
+        if (is_located) return HOLONOM_OK; /* contacts change first */
         if (tight) follow_energies(c);
         else follow_coarseness(c, h);
     }
@@ -110,29 +113,36 @@ static int32_t take_to_event(context *c, const mesh_piece *x, double law_time, d
     return status;
 }
 
-/* Finds the factor at which a piece ends at its event, by secants until round-off ends them. */
+/* Finds the factor at which a piece ends nearest to its event, by secants until round-off ends them. Beyond the event steps may fail. */
 static int32_t meet_event(context *c, mesh_piece *x, double law_time, double longest)
 {
-    double left, before = 0.0, factor = 1.0, best = 1.0, least = INFINITY, change = FIRST_SECANT;
-    int32_t status = take_to_event(c, x, law_time, &left);
-    for (int k = 0; !status && left != 0.0; k++) {
-        if (!(fabs(left) < INFINITY) || k == MOST_SECANTS) return HOLONOM_MESH_EVENTS;
-        if (fabs(left) < least) least = fabs(left), best = x->factor;
-        else if (k > 1 && fabs(change) < FIRST_SECANT) break; /* round-off is all that is left */
-        if (k == 0) factor = left > 0.0 ? 1.0 + FIRST_SECANT : 1.0 - FIRST_SECANT;
-        else factor = x->factor - left * change / (left - before);
-        before = left;
-        change = factor - x->factor;
-        if (!(factor * MOST_FACTOR > 1.0 && factor < MOST_FACTOR && factor * recorded_length(x) <= longest)) return HOLONOM_MESH_EVENTS;
-        if (change == 0.0) break;
-        x->factor = factor;
-        status = take_to_event(c, x, law_time, &left);
+    double left, before = 0.0, last = NAN, best = NAN, least = INFINITY, shorter = FIRST_SHORTER;
+    int is_met = 0;
+    for (int k = 0; k < MOST_SECANTS; k++) {
+        const int32_t status = take_to_event(c, x, law_time, &left);
+        double next;
+        if (status == HOLONOM_STOPPED) return status;
+        if (status || !(fabs(left) < INFINITY)) {
+            next = last == last ? 0.5 * (last + x->factor) : x->factor - shorter;
+            shorter *= 2.0;
+        } else {
+            if (fabs(left) < least) least = fabs(left), best = x->factor;
+            is_met |= left == 0.0 || fabs(x->factor - last) < ROUND_OFF_SECANT;
+            next = last == last ? x->factor - left * (x->factor - last) / (left - before) : x->factor + copysign(FIRST_SECANT, left);
+            last = x->factor;
+            before = left;
+        }
+        const int is_near = next * MOST_FACTOR > 1.0 && next < MOST_FACTOR && next * recorded_length(x) <= longest;
+        if (is_met || next == x->factor || !is_near) break;
+        x->factor = next;
     }
-    if (left != 0.0) x->factor = best;
-    return status;
+    const int stops = x->last[MESH_END] == END_STOP;
+    const double most = stops ? SLIP_LEFT / RESTING * speed_tolerance(c) : value_tolerance(c, (int32_t)x->last[MESH_FUNCTION]);
+    x->factor = best;
+    return is_met || least <= most ? HOLONOM_OK : HOLONOM_MESH_EVENTS;
 }
 
-/* Takes a piece to its event, and changes modes there. */
+/* Takes a piece to its event. */
 static int32_t take_event(context *c, mesh_piece *x, double law_time, double longest)
 {
     const int32_t function = (int32_t)x->last[MESH_FUNCTION];
@@ -144,16 +154,17 @@ static int32_t take_event(context *c, mesh_piece *x, double law_time, double lon
     status = event_functions(c, values_at(c, AT_LOW));
     if (!status) status = take_piece(c, x, 1);
     if (!status) status = event_functions(c, at);
-    for (int32_t k = 0; k < c->m->n_contacts + c->m->n_frictions && !status; k++)
-        if (k != function && at.value[k] < -value_tolerance(c, k)) status = HOLONOM_MESH_EVENTS;
-    if (!status && !friction_takes_energy(c)) status = HOLONOM_CONTACT_UNDECIDED;
-    return status;
+    if (status) return status;
+    if (x->last[MESH_END] == END_STOP) follow_slips(c, at), at.value[function] = 0.0;
+    for (int32_t k = 0; k < c->m->n_contacts + c->m->n_frictions; k++)
+        if (k != function && at.value[k] < -value_tolerance(c, k)) return HOLONOM_MESH_EVENTS;
+    return friction_takes_energy(c) ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* Changes contacts at the end of a piece, whose event is this function, or -1. */
-static int32_t change_contacts(context *c, int32_t function)
+/* Changes contacts at the end of a piece. */
+static int32_t change_contacts(context *c, const double *row)
 {
-    c->event = function;
+    c->event = row[MESH_END] == END_EVENT ? (int32_t)row[MESH_FUNCTION] : -1;
     int32_t status = change_modes(c);
     if (!status) status = settle(c);
     if (!status && c->s.head[S_TOLERANCE] > 0.0) follow_energies(c);
@@ -172,6 +183,9 @@ static int32_t meet_switch(context *c, mesh_piece *x, double longest)
     return HOLONOM_OK;
 }
 
+/* Whether a row has no more than round-off of the time: it repeats an event, which need not happen so often now. */
+static int is_no_time(const double *row) { return row[MESH_LENGTH] <= 1e-15 * fabs(row[MESH_TIME]); }
+
 /* Repeats the steps of a communication step of length `step` from `start`. */
 HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
 {
@@ -184,10 +198,11 @@ HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
         const double law_time = c->number[c->m->time_at], longest = end - x.begin;
         const int ends = (int)x.last[MESH_END];
         row = x.last + MESH_SIZE;
+        if (is_no_time(x.first) && modes_of(c) != x.first[MESH_MODES]) continue;
         if (ends == END_LENGTH && later != 0.0) x.factor = longest / (end - x.first[MESH_TIME]), x.end = end;
         if (ends == END_SWITCH) status = meet_switch(c, &x, longest);
-        if (!status) status = ends == END_EVENT ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
-        if (!status && ends > END_SWITCH) status = change_contacts(c, (int32_t)x.last[MESH_FUNCTION]);
+        if (!status) status = ends > END_SWITCH ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
+        if (!status && ends > END_SWITCH) status = change_contacts(c, x.last);
         if (!is_as_recorded(&x)) later += (x.factor - 1.0) * recorded_length(&x);
     }
     return status;
