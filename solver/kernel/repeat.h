@@ -13,6 +13,7 @@
 enum { MOST_SECANTS = 40 };
 #define FIRST_SECANT 1e-4 /* by which the second factor differs from 1 */
 #define ROUND_OFF_SECANT 1e-9 /* so near to the factor before it round-off is all that is left */
+#define ROUND_OFF_VALUE 10.0 /* times what counts as zero: gaps of short pieces are not told more exactly */
 #define FIRST_SHORTER 0.01 /* likewise where steps beyond the event fail */
 #define MOST_FACTOR 4.0   /* of lengths, and its inverse */
 #define REACH 1.25        /* times the recorded length: how far on a switch is looked for */
@@ -137,7 +138,7 @@ static int32_t meet_event(context *c, mesh_piece *x, double law_time, double lon
         x->factor = next;
     }
     const int stops = x->last[MESH_END] == END_STOP;
-    const double most = stops ? SLIP_LEFT / RESTING * speed_tolerance(c) : value_tolerance(c, (int32_t)x->last[MESH_FUNCTION]);
+    const double most = stops ? SLIP_LEFT / RESTING * speed_tolerance(c) : ROUND_OFF_VALUE * value_tolerance(c, (int32_t)x->last[MESH_FUNCTION]);
     x->factor = best;
     return is_met || least <= most ? HOLONOM_OK : HOLONOM_MESH_EVENTS;
 }

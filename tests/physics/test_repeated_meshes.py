@@ -125,6 +125,28 @@ def test_the_same_numbers_give_the_same_bits(name, options):
             assert np.array_equal(first[variable], again[variable]), variable
 
 
+@pytest.mark.parametrize(
+    ("name", "parameter", "events"),
+    [
+        ("gear_pair_with_backlash", "load", 10),
+        ("geneva_drive", "speed", 5),
+        ("ratchet", "period", 5),
+    ],
+)
+def test_a_run_with_many_events_goes_where_one_with_its_own_steps_goes(name, parameter, events):
+    """Both err by the tolerance, relative to the size: impacts enlarge it."""
+    scene = solver.assemble(solver.load(SCENES / f"{name}.toml"))
+    value = next(v.start for v in scene.variables if v.name == parameter)
+    places = [v.name for v in scene.variables if v.name.endswith((".x", ".y")) and v.unit == "m"]
+    options = {"stop_time": 0.3, "outputs": places}
+    mesh = solver.simulate(scene, record_mesh=True, tolerance=1e-6, **options).mesh
+    assert np.count_nonzero(mesh["end"] == MESH_ENDS.index("event")) >= events
+    changed = {"parameters": {parameter: value * (1 + 1e-6)}, **options}
+    found = solver.simulate(scene, mesh=mesh, **changed).table
+    own = solver.simulate(scene, tolerance=1e-6, **changed).table
+    assert np.abs(found - own).max() < 1e-5 * np.abs(own).max()
+
+
 def test_recording_does_not_change_a_run():
     options = {**AT, "tolerance": 1e-6}
     plain = solver.simulate(model(BALL), **options)
