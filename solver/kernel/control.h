@@ -169,6 +169,7 @@ HM_SELDOM static void bound_across(context *c)
 {
     if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return;
     put_only_velocities_back(c);
+    if (mesh_of(c)) last_row(mesh_of(c))[MESH_PUT_BACK] = 1.0;
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
 }
 
@@ -266,6 +267,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             if (is_to_be_cut(c, status, h)) continue;
             return step_over(c, status, start, done, step);
         }
+        if (ends_at_switch && covered == h && mesh_of(c) && last_row(mesh_of(c))[MESH_END] == END_LENGTH) say_end(c, END_SWITCH, -1, 0.0);
         done = covered == rest ? step : done + covered;
         follow_energies(c);
     }

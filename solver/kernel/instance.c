@@ -20,6 +20,7 @@ struct holonom_instance {
     int32_t first;               /* number of the first variable                                           */
     int32_t group_end[HOLONOM_GROUPS];
     holonom_watch watch;
+    holonom_mesh *mesh;
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
@@ -376,6 +377,8 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
+void holonom_use_mesh(holonom_instance *i, holonom_mesh *mesh) { i->mesh = mesh; }
+
 void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
 
 /* The watch of a start or a step that begins. */
@@ -464,7 +467,7 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
     const int32_t status =
-        holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step, begin_watch(i));
+        holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step, begin_watch(i), i->mesh);
     i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;

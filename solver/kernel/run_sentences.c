@@ -48,6 +48,16 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_BAD_DRIVER:
         return "it has no finite value at this time, and velocities or forces would be infinite; write a formula that is smooth there, "
                "as t**2 is and t**1.5 is not, or start at another time";
+#if !defined(HOLONOM_STATIC)
+    case HOLONOM_MESH_EVENTS:
+        return "contacts, frictions or laws change in another order than in the run whose mesh is repeated; change its numbers by less, or "
+               "record a mesh with these";
+    case HOLONOM_MESH_METHODS:
+        return "a step cannot be taken as in the run whose mesh is repeated; change its numbers by less, or record a mesh with these";
+    case HOLONOM_MESH_STEPPED:
+        return "contacts of the run whose mesh is repeated change at the ends of half steps, and no event is located (solver.stepped is 1); "
+               "repeat a run with solver.contact_mode located that ends before";
+#endif
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "

@@ -16,7 +16,7 @@ from functools import cache
 from types import CodeType
 from zlib import crc32
 
-ENTRY_POINTS = 20
+ENTRY_POINTS = 21
 """To be raised when functions that the core exports change, or the order of a model's bytes."""
 
 
@@ -367,6 +367,28 @@ CLOSINGS = ("at_once", "on_path", "behind_path", "shaken")
 end of that path, or from a drawing that was shaken."""
 
 FRICTION_MODES = ("off", "sticks", "slides")
+
+MESH = (
+    "time", "length",  # of the step: its beginning, and how long it is [s]
+    "usual",  # length of steps at that time, which tells short ones [s]
+    "order", "explicit",  # that it was to have, and whether it was to be explicit
+    "careful",  # whether smooth frictions had steeper slopes in the tangent
+    "known",  # half steps before it that tell its first guess
+    "lowered", "projected", "started",  # how often, ahead of it, penalties were lowered, and
+    # velocities put onto the rows: of located contacts, and of explicit steps
+    "taken",  # how it was taken, `MESH_TAKEN`
+    "put_back",  # whether velocities were put back behind it
+    "end",  # what ended it, `MESH_ENDS`
+    "function",  # whose event that was: a contact, or the number of contacts and a friction; -1
+    "value",  # of the function of that event
+    "modes",  # of contacts and frictions in the step, as one number
+)
+"""Numbers of each internal step in the mesh of a run, see mesh.h."""
+MESH_TAKEN = ("pairs", "cover", "finest", "explicit", "short", "stepped")
+"""How an internal step was taken: by pairs of half steps, a weighted cover, the finest cover alone,
+explicitly, by Taylor's series, or with contacts that change without being located."""
+MESH_ENDS = ("length", "switch", "event", "stop")
+"""What ended it: its length, a switch of laws, an event of contacts, a slip in space that stops."""
 
 STATE = {
     "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over
