@@ -132,16 +132,24 @@ def _section(variable: Variable) -> str:
 
 def solved(model: Model) -> str:
     """Sentences on size and method."""
-    sizes, settings = model.sizes, model.settings
+    sizes = model.sizes
     coordinates = counted(sizes["dim"] * sizes["n_free"], "coordinate")
     islands = sizes["n_islands"]
     apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
     rows = counted(sizes["n_rows"], "constraint row")
-    text = f"{coordinates} and {rows}{apart}, solved in"
-    if settings["tolerance"]:
-        return f"{text} steps chosen for a relative error of the run of {settings['tolerance']:g}."
-    order = float(settings["order"]) or 2.0
-    return f"{text} internal steps of at most {settings['step_size']:g} s, of order {order:g}."
+    return f"{coordinates} and {rows}{apart}, solved in {steps(model)}."
+
+
+def steps(model: Model) -> str:
+    """Words on lengths and order of internal steps."""
+    settings = model.settings
+    is_stepped = settings.get("contact_mode") == "stepped"
+    if settings["tolerance"] and not is_stepped:
+        return f"steps chosen for a relative error of the run of {settings['tolerance']:g}"
+    order = 2.0 if is_stepped else float(settings["order"]) or 2.0
+    text = f"internal steps of at most {settings['step_size']:g} s, of order {order:g}"
+    ignored = ": contact_mode stepped takes equal steps, whatever the tolerance"
+    return f"{text}{ignored if settings['tolerance'] else ''}"
 
 
 def accuracy(model: Model, seen: SelfCheck) -> str:

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from build_fmu.documentation import steps
 from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
 from build_fmu.errors import UsageError
 from build_fmu.motion import LOSSES
@@ -106,6 +107,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
         "velocity_rows": len(of_velocities),
         "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
         "step": _step(model, bool(counts.redundant_rows)),
+        "steps": steps(model),
         "experiment": model.experiment._asdict(),
         "variables": [
             {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
@@ -177,6 +179,7 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("degrees of freedom", _freedom(counts)),
         ("separate parts", str(counts.islands)),
         ("unknowns of a step", _unknowns(document["step"])),
+        ("steps", document["steps"]),
     ]
 
 

@@ -224,17 +224,28 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
     return 0;
 }
 
+/* Says which settings a step with contacts that are not located did not follow; nothing where it followed all. Returns whether it is
+   so for all steps. */
+static int say_stepped(hm_text *text, const double *head)
+{
+    const int is_tolerated = head[S_TOLERANCE] > 0.0, is_lasting = head[S_CONTACT_MODE] != 0.0;
+    if (!is_tolerated && head[S_ORDER] <= 2.0) return 0;
+    hm_say(text, "solver.%s is %6g, but steps in which contacts change without being located ", is_tolerated ? "tolerance" : "order",
+           is_tolerated ? head[S_TOLERANCE] : head[S_ORDER]);
+    if (is_tolerated)
+        hm_say(text, "are equal steps of at most solver.step_size = %6g s, of order 2, whose error no tolerance bounds; %s",
+               head[S_STEP_SIZE], is_lasting ? "use contact_mode = \"located\", or a smaller solver.step_size" : "a smaller solver.step_size helps");
+    else hm_say(text, "are of order 2");
+    return is_lasting;
+}
+
 /* Says that dampers kept a step at order 2; nothing where none is due. Returns whether it is so for all steps, by what the
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
+    if (HM_CONTACTS && head[S_STEPPED] != 0.0) return say_stepped(text, head);
     if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
-    if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
-        if (head[S_ORDER] <= 2.0) return 0;
-        hm_say(text, "solver.order is %6g, but steps in which contacts change without being located are of order 2", head[S_ORDER]);
-        return head[S_CONTACT_MODE] != 0.0;
-    }
     /* Order 2 may be the choice of the tolerance, unless it has none. */
     if (chosen && !(f->model.sensing && has_dampers(f, numbers))) return 0;
     if (chosen) hm_say(text, "solver.tolerance chooses the order");
