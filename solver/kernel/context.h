@@ -45,7 +45,6 @@ typedef struct context {
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0; see fault.h */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
-    int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
     double longest_put_back; /* explicit step, by the difference of the last one [s]                               */
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
     double free_part;   /* of it, that rows leave free                                                            */
@@ -210,7 +209,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->constraints_only = c->careful = c->at_state = c->passing = c->unweighted = c->damped = 0;
+    c->constraints_only = c->careful = c->at_state = c->unweighted = c->damped = 0;
     c->balanced = c->difference = 0.0;
     c->free_part = c->growth = 1.0;
     c->shorter = 0.5;

@@ -9,7 +9,6 @@
 #include "stepped.h"
 
 enum { MAX_REPEATS = 40 };
-#define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
 #define REJECTED 2.0  /* times what a step may add, at which it is repeated */
@@ -172,13 +171,11 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
 {
     double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0; /* half steps before those of the present moment */
     int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
-    double tried = 0.0; /* length of the explicit step first tried */
     int repeats = 0;
     begin_control(c);
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;
         const double rest = step - done;
-        const int is_explicit = head[S_EXPLICIT] != 0.0;
         const double n = steps_over(c, rest, longest_next(c, rest));
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
@@ -211,11 +208,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             if (++repeats > MAX_REPEATS) return status ? status : HOLONOM_STEP_COLLAPSED;
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
-            if (repeats == 1) tried = h;
-            if (is_explicit && !c->passing && wanted < NEAR_SINGULAR * tried) {
-                head[S_WANTED] = 0.5 * tried;
-                c->passing = 1;
-            }
             if (status) lower_penalties(c);
             if (status && known_misses(c)) { /* Newton's iteration may only have begun too far away */
                 forget_halves(c);
@@ -223,7 +215,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             }
             continue;
         }
-        repeats = c->passing = 0;
+        repeats = 0;
         bound_across(c);
         if (ends_at_switch) forget_halves(c);
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */

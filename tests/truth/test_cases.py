@@ -64,14 +64,6 @@ FAILS: Mapping[str, Mapping[str, int]] = {
         "it stops at 2/3 s and stays, at 1e-06": 46,
         "it stops at 2/3 s and stays, at 1e-09": 46,
     },
-    "singular_communication_point": {
-        "steps of 0.71435552929295 s that end near the flat pose keep a tolerance of 1e-6": 46,
-        "steps of 1.2281593933141197 s that end near the flat pose keep a tolerance of 1e-6": 46,
-        "steps of 0.7143555 s that end near the flat pose keep a tolerance of 1e-6": 46,
-        "300 s in steps of 0.1 s run at 0.001": 46,
-        "300 s in steps of 0.1 s run at 1e-09": 46,
-        "300 s in steps of 0.05 s run at 1e-09": 46,
-    },
     "arm_stiff": {
         "springs and dampers of 10 as formulas of torques run by default": 46,
     },
