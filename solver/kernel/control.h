@@ -65,12 +65,8 @@ static double cost_of(const method *x, double turned)
     return x->solutions * (x->way == EXPLICIT ? 4.0 : x->way == COVERED ? 4.0 + 4.0 * turned : 3.0 + 1.5 * turned);
 }
 
-/* Whether half steps are of order 2: loads that read the mechanism at a predicted middle are of that order. */
-static int is_limited(const context *c)
-{
-    const int has_mass = c->number[c->m->extent_at + 1] > 0.0; /* else nothing measures errors */
-    return !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
-}
+/* Whether nothing has a mass, which would measure errors. */
+static int is_massless(const context *c) { return !(c->number[c->m->extent_at + 1] > 0.0); }
 
 /* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are much too fast for covers. */
 static int may_take(const context *c, const method *x, const step_error *e)
@@ -80,7 +76,7 @@ static int may_take(const context *c, const method *x, const step_error *e)
     if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
     if (x->way == EXPLICIT) return may_step_explicitly(c);
     if (c->way == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
-    return x->way == COMPOSED || !is_limited(c);
+    return x->way == COMPOSED || !is_massless(c);
 }
 
 /* Order and length of the steps to come, for the least cost of a communication step of length `step`. */
@@ -118,7 +114,7 @@ static void begin_control(context *c)
     if (!may_be_explicit || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
     else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
     if (head[S_EXPLICIT] != 0.0) head[S_ORDER_IN_USE] = is_new ? 8.0 : head[S_ORDER_IN_USE];
-    else if (is_limited(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
+    else if (is_massless(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0 && (is_new || head[S_ORDER_IN_USE] != 2.0)) head[S_ORDER_IN_USE] = asked;
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
