@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from build_fmu.payload import package_folder
 from build_fmu.report import as_text
 from build_fmu.study.values import counted
-from solver.options import TINY
+from solver.options import TINY, step_of, tolerance_of
 
 if TYPE_CHECKING:
     from build_fmu.package import Package
@@ -141,15 +141,16 @@ def solved(model: Model) -> str:
 
 
 def steps(model: Model) -> str:
-    """Words on lengths and order of internal steps."""
+    """Words on kind, lengths and order of internal steps."""
     settings = model.settings
+    if tolerance := tolerance_of(settings):
+        kind = "explicit or conserving" if settings["method"] == "fastest" else "conserving"
+        return f"{kind} steps chosen for a relative error of the run of {tolerance:g}"
     is_stepped = settings.get("contact_mode") == "stepped"
-    if settings["tolerance"] and not is_stepped:
-        return f"steps chosen for a relative error of the run of {settings['tolerance']:g}"
     order = 2.0 if is_stepped else float(settings["order"]) or 2.0
-    text = f"internal steps of at most {settings['step_size']:g} s, of order {order:g}"
+    text = f"conserving internal steps of at most {step_of(settings):g} s, of order {order:g}"
     ignored = ": contact_mode stepped takes equal steps, whatever the tolerance"
-    return f"{text}{ignored if settings['tolerance'] else ''}"
+    return f"{text}{ignored if is_stepped and settings['tolerance'] else ''}"
 
 
 def accuracy(model: Model, seen: SelfCheck) -> str:
@@ -173,7 +174,7 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
     if seen.reason:
         yield f"The run ended early: {seen.reason}"
     elif seen.moved and seen.position_error is not None:
-        is_chosen = bool(model.settings["tolerance"])
+        is_chosen = bool(tolerance_of(model.settings))
         finer = "a hundredth of the tolerance" if is_chosen else "half the internal step"
         turned = seen.rotation_error
         rotation = "" if turned is None else f", and its angles and orientations {turned:.1e} rad"

@@ -228,13 +228,14 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
    so for all steps. */
 static int say_stepped(hm_text *text, const double *head)
 {
-    const int is_tolerated = head[S_TOLERANCE] > 0.0, is_lasting = head[S_CONTACT_MODE] != 0.0;
-    if (!is_tolerated && head[S_ORDER] <= 2.0) return 0;
-    hm_say(text, "solver.%s is %6g, but steps in which contacts change without being located ", is_tolerated ? "tolerance" : "order",
-           is_tolerated ? head[S_TOLERANCE] : head[S_ORDER]);
-    if (is_tolerated)
+    const int is_lasting = head[S_CONTACT_MODE] != 0.0;
+    const double tolerance = is_lasting ? head[S_TOLERANCE] : hm_tolerance(head);
+    if (!(tolerance > 0.0) && head[S_ORDER] <= 2.0) return 0;
+    hm_say(text, "%s is %6g, but steps in which contacts change without being located ", tolerance > 0.0 ? "the tolerance" : "solver.order",
+           tolerance > 0.0 ? tolerance : head[S_ORDER]);
+    if (tolerance > 0.0)
         hm_say(text, "are equal steps of at most solver.step_size = %6g s, of order 2, whose error no tolerance bounds; %s",
-               head[S_STEP_SIZE], is_lasting ? "use contact_mode = \"located\", or a smaller solver.step_size" : "a smaller solver.step_size helps");
+               hm_step_size(head), is_lasting ? "use contact_mode = \"located\", or a smaller solver.step_size" : "a smaller solver.step_size helps");
     else hm_say(text, "are of order 2");
     return is_lasting;
 }
@@ -248,7 +249,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     hm_say(text, "solver.order is %6g, but steps are of order 2: %s energy out, and the motion changes too much in a step of this length, "
                  "or not at all%s",
            head[S_ORDER], has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
-           head[S_TOLERANCE] > 0.0 ? "; a tight solver.tolerance takes many steps of order 2" : "");
+           hm_tolerance(head) > 0.0 ? "; a tight solver.tolerance takes many steps of order 2" : "");
     return 0;
 }
 
@@ -274,8 +275,8 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
                  "times the work foreseen; it alternates or reverses what it should stop; use a damper or torsion_damper instead, make "
                  "its formula smoother, or take ",
            f->text + f->sampled[worst], head[S_TIME], s->sampled[3 * worst + 2]);
-    if (head[S_TOLERANCE] > 0.0 && head[S_STEPPED] == 0.0) hm_say(text, "a smaller solver.longest_step");
-    else hm_say(text, "steps shorter than solver.step_size = %6g s", head[S_STEP_SIZE]);
+    if (hm_tolerance(head) > 0.0 && head[S_STEPPED] == 0.0) hm_say(text, "a smaller solver.longest_step");
+    else hm_say(text, "steps shorter than solver.step_size = %6g s", hm_step_size(head));
 }
 
 /* Node whose acceleration changed most in the last pair, in the mass norm. */

@@ -239,8 +239,8 @@ def test_a_bearing_that_rubs_goes_on_the_other_way_when_its_pendulum_rebounds(h)
 @pytest.mark.parametrize(
     ("setting", "said"),
     [
-        ({"tolerance": 1e-6}, "solver.tolerance is 1e-06"),
-        ({"tolerance": 1e-6, "order": 4}, "solver.tolerance is 1e-06"),
+        ({"tolerance": 1e-6}, "the tolerance is 1e-06"),
+        ({"tolerance": 1e-6, "order": 4}, "the tolerance is 1e-06"),
         ({"order": 4}, "solver.order is 4"),
         ({}, ""),
     ],

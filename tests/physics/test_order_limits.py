@@ -69,7 +69,7 @@ def said(setting: str, **options) -> list[str]:
 
 def test_a_tolerance_that_chooses_no_steps_says_so_once():
     (sentence,) = said(LIMITED)
-    assert sentence.startswith("solver.tolerance is 1e-07, but steps in which contacts change")
+    assert sentence.startswith("the tolerance is 1e-07, but steps in which contacts change")
     assert "equal steps of at most solver.step_size = 0.01 s" in sentence
 
 
@@ -97,7 +97,7 @@ def test_where_nothing_is_limited_nothing_is_said(setting, options):
 def test_without_a_log_it_is_a_warning():
     scene = solver.loads(text(LIMITED))
     with pytest.warns(
-        RuntimeWarning, match="solver.tolerance is 1e-07, but steps in which contacts change"
+        RuntimeWarning, match="the tolerance is 1e-07, but steps in which contacts change"
     ) as told:
         solver.simulate(scene)
     assert told[0].filename == __file__  # at the line that asked for the run
@@ -127,7 +127,7 @@ def test_an_fmu_says_it_with_its_log_off_to_the_logger_of_python(caplog):
         assert fmu.step(0.0, 0.1)
     (record,) = [each for each in caplog.records if each.name == LOGGER]
     assert record.levelno == logging.WARNING
-    assert record.getMessage().startswith("FMU parts: solver.tolerance is 1e-07, but steps")
+    assert record.getMessage().startswith("FMU parts: the tolerance is 1e-07, but steps")
 
 
 def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):
@@ -135,6 +135,6 @@ def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):
     scene.write_text(text(LIMITED))
     assert main(["build", str(scene), "-o", str(tmp_path / "parts.fmu")]) == 0
     assert (
-        "parts: solver.tolerance is 1e-07, but steps in which contacts change"
+        "parts: the tolerance is 1e-07, but steps in which contacts change"
         in capsys.readouterr().err
     )
