@@ -135,8 +135,11 @@ def steps_of(settings: Mapping[str, Any], is_explicit: bool) -> str:
     if tolerance := tolerance_of(settings):
         kind = "explicit and conserving" if is_explicit else "conserving"
         return f"{kind} steps, chosen for a relative error of the run of {tolerance:g}"
-    order = float(settings["order"]) or 2.0
-    return f"conserving steps of order {order:g}, of at most {step_of(settings):g} s"
+    is_stepped = settings.get("contact_mode") == "stepped"
+    order = 2.0 if is_stepped else float(settings["order"]) or 2.0
+    text = f"conserving steps of order {order:g}, of at most {step_of(settings):g} s"
+    ignored = ": contact_mode stepped takes equal steps, whatever the tolerance"
+    return f"{text}{ignored if is_stepped and settings['tolerance'] else ''}"
 
 
 def solved(model: Model, seen: SelfCheck) -> str:

@@ -234,26 +234,33 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
     return 0;
 }
 
+/* Says which settings a step with contacts that are not located did not follow; nothing where it followed all. Returns whether it is
+   so for all steps. */
+static int say_stepped(hm_text *text, const double *head)
+{
+    const int is_lasting = head[S_CONTACT_MODE] != 0.0;
+    const double tolerance = is_lasting ? head[S_TOLERANCE] : hm_tolerance(head);
+    if (!(tolerance > 0.0) && head[S_ORDER] <= 2.0) return 0;
+    hm_say(text, "%s is %6g, but steps in which contacts change without being located ", tolerance > 0.0 ? "the tolerance" : "solver.order",
+           tolerance > 0.0 ? tolerance : head[S_ORDER]);
+    if (tolerance > 0.0)
+        hm_say(text, "are equal steps of at most solver.step_size = %6g s, of order 2, whose error no tolerance bounds; %s",
+               hm_step_size(head), is_lasting ? "use contact_mode = \"located\", or a smaller solver.step_size" : "a smaller solver.step_size helps");
+    else hm_say(text, "are of order 2");
+    return is_lasting;
+}
+
 /* Says that dampers kept a step at order 2; nothing where none is due. Returns whether it is so for all steps, by what the
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
-    const int tight = hm_tolerance(head) > 0.0, chosen = tight && head[S_ORDER] == 0.0;
-    if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
-    if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
-        if (head[S_ORDER] <= 2.0) return 0;
-        hm_say(text, "solver.order is %6g, but steps in which contacts change without being located are of order 2", head[S_ORDER]);
-        return head[S_CONTACT_MODE] != 0.0;
-    }
-    /* Order 2 may be the choice of the tolerance, unless it has none. */
-    if (chosen && !(f->model.sensing && has_dampers(f, numbers))) return 0;
-    if (chosen) hm_say(text, "solver.tolerance chooses the order");
-    else hm_say(text, "solver.order is %6g", head[S_ORDER]);
-    hm_say(text, ", but steps are of order 2: %s energy out, and %s%s",
-           has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
-           chosen ? "a load reads the mechanism" : "the motion changes too much in a step of this length, or not at all",
-           tight ? "; a tight solver.tolerance takes many steps of order 2" : "");
-    return chosen;
+    if (HM_CONTACTS && head[S_STEPPED] != 0.0) return say_stepped(text, head);
+    if (!(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
+    hm_say(text, "solver.order is %6g, but steps are of order 2: %s energy out, and the motion changes too much in a step of this length, "
+                 "or not at all%s",
+           head[S_ORDER], has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
+           hm_tolerance(head) > 0.0 ? "; a tight solver.tolerance takes many steps of order 2" : "");
+    return 0;
 }
 
 /* Says that energies are off the ledger though steps are solved. */
@@ -278,7 +285,7 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
                  "times the work foreseen; it alternates or reverses what it should stop; use a damper or torsion_damper instead, make "
                  "its formula smoother, or take ",
            f->text + f->sampled[worst], head[S_TIME], s->sampled[3 * worst + 2]);
-    if (hm_tolerance(head) > 0.0) hm_say(text, "a smaller solver.longest_step");
+    if (hm_tolerance(head) > 0.0 && head[S_STEPPED] == 0.0) hm_say(text, "a smaller solver.longest_step");
     else hm_say(text, "steps shorter than solver.step_size = %6g s", hm_step_size(head));
 }
 
