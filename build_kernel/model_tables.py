@@ -107,7 +107,7 @@ def _structure(name: str, fields: Iterable[str]) -> str:
 
 def _structures(layout: Declared, scratch: Declared) -> Iterator[str]:
     values = layout.values
-    for name in ("ABI", "MOST_COARSENESS", "MOST_SAMPLING"):
+    for name in ("ABI", "AIM", "MOST_COARSENESS", "MOST_SAMPLING"):
         yield f"#define HOLONOM_{name} {values[name]}\n"
     yield _structure("holonom_elimination", _tables(layout, "ELIMINATION"))
     yield _structure("holonom_model", [

@@ -121,6 +121,9 @@ static int32_t derive_scales(context *c)
     return HOLONOM_OK;
 }
 
+/* Velocity that momenta of 1 give a node of 1 kg where rows and drivers leave it none: round-off. */
+#define NO_FREEDOM 1e-9
+
 /* Length of the step without forces whose tangent is the matrix of solve_at_state. */
 #define AT_STATE 1.4142135623730951
 #define AT_STATE_PENALTY 1e8
@@ -445,6 +448,25 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
     }
     c->cone_mu = c->k.mu;
     return status;
+}
+
+/* Marks nodes to which rows and drivers leave a motion of their own: those that momenta of all of them move. What drivers move alone is
+   where it has to be in steps of any length. */
+HM_SELDOM static void find_freedom(context *c)
+{
+    const holonom_model *m = c->m;
+    double *x = c->k.w;
+    for (int32_t a = 0; a < c->n_moving; a++) c->s.freedom[a] = 1.0;
+    if (!m->n_signals || is_unilateral(m)) return;
+    stand_still(c);
+    memset(c->k.phi, 0, sizeof(double) * (size_t)m->n_rows);
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t k = 0; k < DIM * m->n_free; k++) /* in no simple relation to each other */
+        c->k.momentum[k] = sqrt(c->number[m->node_mass_at + k / DIM]) * (1.0 + 0.618 * k - floor(0.618 * k));
+    if (factorise_at_state(c, NULL)) return;
+    solve_for(c, x);
+    for (int32_t a = 0; a < m->n_free; a++)
+        c->s.freedom[a] = c->number[m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a) > hm_square(NO_FREEDOM);
 }
 
 static int32_t first_multipliers(context *c)

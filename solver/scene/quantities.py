@@ -120,7 +120,7 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
         "sampling": "for forces that read the motion: part of their work that they missed, as they "
         "are evaluated once in a half step; above 1 the step is too long",
         "coarseness": "of equal steps so far: largest turn of a body in one, or without contacts "
-        "their estimated error, over what leaves the path right within 1 %; above 1 they are too "
+        "their estimated error, over what leaves the path right within 2 %; above 1 they are too "
         "long",
         "status": "0 after a solved step, else the code of what failed",
     }),

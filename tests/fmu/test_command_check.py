@@ -271,9 +271,13 @@ def test_the_table_names_the_worst_output_of_each_kind(capsys):
 
 
 def test_what_does_not_move_is_not_repeated(capsys):
-    _, out, err = run(capsys, "check", text_fmu(PENDULUM.replace("-9.81", "0")), "--json")
+    fmu = text_fmu(PENDULUM.replace("-9.81", "0"))
+    _, out, err = run(capsys, "check", fmu, "--json")
     assert "accuracy" not in json.loads(out)
     assert err == ""
+    code, out, err = run(capsys, "check", fmu, "--accuracy", 1e-3)
+    assert (code, err) == (0, "")
+    assert out.splitlines()[-1] == "nothing moved, so that no error of the path is measured"
 
 
 def test_both_runs_have_the_same_inputs(capsys, tmp_path):
