@@ -55,23 +55,26 @@ static void mean_forces(const context *c, const hm_measured *y)
 }
 
 /* Whether the state tells forces better than means do, which are of order 2 whatever the order of the motion is. With equal steps means
-   stand: they are what acts in steps that may be longer than what swings. */
+   stand: they are what acts in steps that may be longer than what swings. Explicit steps have solved for them, but before a jump. */
 static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
-    return (m->n_rows || m->n_driven) && c->s.head[S_TOLERANCE] > 0.0 && !is_unilateral(m) && c->s.head[S_MEAN_TIME] != c->t;
+    return (m->n_rows || m->n_driven) && c->s.head[S_TOLERANCE] > 0.0 && !is_unilateral(m) &&
+           (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || (m->time_dependent && may_switch(m)));
 }
 
-/* Likewise, as the state asks for them, beginning with those that are there. State and laws stay as they are. */
+/* Likewise, as the state asks for them, beginning with those that are there; where a law jumps now, on the side that it is on now, as outputs by a formula.
+   State and laws stay as they are. */
 HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
 {
-    const double last = c->s.head[S_STEP_SIZE];
     context at = rows_at_state(c);
     keep_state(c, c->k.whole_backup);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
-    follow_signals(c, c->t - last, last, 1.0);
-    laws_within(&at, c->t - last, last, 1.0);
+    signals_at(c, c->t, c->k.signal1);
+    signal_jets_at(c, c->t, c->k.signal_rate, c->k.signal_bend);
+    if (c->m->sensing) sense(&at, 0.0, 0);
+    set_laws(&at, c->t, 0);
     EACH_ISLAND(&at, island) status = status ? status : accelerate(&at, c->k.estimate, y->multiplier);
     if (!status && c->m->n_driven) status = hold_driven(&at, c->k.estimate, y->multiplier, y->driven_force);
     take_state(c, c->k.whole_backup);

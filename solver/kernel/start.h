@@ -408,8 +408,9 @@ static void take_turns(context *rows, int turns)
 
 /* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties of the others. With
    coordinates of directors as unknowns, rows of joints that one director alone carries would look dependent: where there are
-   bodies, their turns are the unknowns.                                                                          */
-static void judge_rows(const context *c)
+   bodies, their turns are the unknowns. Takes from multipliers mu (n_rows, modified), if any, what dependent rows do not determine, as steps do:
+   `accelerations` shares it with rows of rigidity. */
+static void judge_rows(const context *c, double *mu)
 {
     const holonom_model *m = c->m;
     context rows = rows_at_state(c);
@@ -418,8 +419,10 @@ static void judge_rows(const context *c)
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
         const double left = fails ? 1.0 : left_by_updates(&rows);
-        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows))) rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
-        else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left);
+        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows))) {
+            rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
+            if (!fails && mu) leave_undetermined(&rows, mu, 0);
+        } else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left);
     }
 }
 
@@ -476,7 +479,8 @@ static int32_t first_multipliers(context *c)
     double *mu = c->s.mu[0];
     int32_t status = accelerations(c, mu);
     if (status) return status;
-    judge_rows(c);
+    memcpy(c->s.mean, mu, rows);
+    judge_rows(c, c->s.mean);
     memcpy(c->k.mu, mu, rows);
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
@@ -488,8 +492,7 @@ static int32_t first_multipliers(context *c)
     memcpy(c->s.driven_mean, c->s.driven[0], driven);
     memcpy(c->s.driven_mean_before, c->s.driven[0], driven);
     memcpy(c->s.mu[1], mu, rows);
-    memcpy(c->s.mean, mu, rows);
-    memcpy(c->s.mean_before, mu, rows);
+    memcpy(c->s.mean_before, c->s.mean, rows);
     c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
     return HOLONOM_OK;
 }
