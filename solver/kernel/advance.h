@@ -185,7 +185,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         undo_piece(&c, start, c.number[m->time_at]);
         status = step_over(&c, status, start, 0.0, step);
     } else if (!status && is_stepped(&c)) status = cover_stepped(&c, start, 0.0, step);
-    else if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
+    else if (!status) status = (hm_tolerance(head) > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
@@ -202,7 +202,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         return status;
     }
     end_inputs(&c, step);
-    if (!(head[S_TOLERANCE] > 0.0) || is_stepped(&c)) head[S_EQUAL_TIME] += step;
+    if (!(hm_tolerance(head) > 0.0)) head[S_EQUAL_TIME] += step;
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
     head[S_AT_FAULT] = 0.0;

@@ -73,13 +73,16 @@ static int is_limited(const context *c)
     return !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
 }
 
+/* Whether steps of a tolerance may be explicit: `fastest` asks for them. */
+static int takes_explicit(const context *c) { return c->s.head[S_METHOD] != 0.0 && may_step_explicitly(c); }
+
 /* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are much too fast for covers. */
 static int may_take(const context *c, const method *x, const step_error *e)
 {
     const int asked = (int)c->s.head[S_ORDER];
     if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) > SHORTER * longest_cover(c))) return 0;
     if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
-    if (x->way == EXPLICIT) return may_step_explicitly(c);
+    if (x->way == EXPLICIT) return takes_explicit(c);
     if (c->way == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
     return x->way == COMPOSED || !is_limited(c);
 }
@@ -114,9 +117,9 @@ static void begin_control(context *c)
     c->damped = is_dissipative(c);
     c->longest_put_back = INFINITY;
     if (may_be_explicit && !ends_explicitly(c)) find_longest(c);
-    const double eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
+    const double eighth = rate > 0.0 ? 0.5 * hm_pow(hm_tolerance(head), 1.0 / 9.0) / rate : 0.0;
     const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
-    if (!may_be_explicit || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
+    if (!takes_explicit(c) || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
     else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
     if (head[S_EXPLICIT] != 0.0) head[S_ORDER_IN_USE] = is_new ? 8.0 : head[S_ORDER_IN_USE];
     else if (is_limited(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
@@ -124,7 +127,7 @@ static void begin_control(context *c)
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
-    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(hm_tolerance(head), 1.0 / (head[S_ORDER_IN_USE] + 1.0));
     head[S_WANTED] = rate > 0.0 ? turned / rate : INFINITY;
 }
 
@@ -151,6 +154,7 @@ static int judge_step(context *c, double h, double step)
     head[S_WANTED] = h * fmin(fmax(change, SHORTEST), 2.0);
     if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
     if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
+    head[S_ERROR_ESTIMATE] += share * h * tolerated(c) / head[S_HORIZON];
     if (judged) head[S_LAST_RATE] = e.rate;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
@@ -281,7 +285,7 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
 static int32_t cover_evenly(context *c, double start, double step)
 {
     double *head = c->s.head;
-    const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
+    const double n = fmax(1.0, ceil(step / hm_step_size(head) * (1.0 - 1e-10))), h = step / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
     head[S_EXPLICIT] = 0.0;

@@ -228,7 +228,7 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
-    const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
+    const int tight = hm_tolerance(head) > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
     if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
         if (head[S_ORDER] <= 2.0) return 0;
@@ -268,8 +268,8 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
                  "times the work foreseen; it alternates or reverses what it should stop; use a damper or torsion_damper instead, make "
                  "its formula smoother, or take ",
            f->text + f->sampled[worst], head[S_TIME], s->sampled[3 * worst + 2]);
-    if (head[S_TOLERANCE] > 0.0) hm_say(text, "a smaller solver.longest_step");
-    else hm_say(text, "steps shorter than solver.step_size = %6g s", head[S_STEP_SIZE]);
+    if (hm_tolerance(head) > 0.0) hm_say(text, "a smaller solver.longest_step");
+    else hm_say(text, "steps shorter than solver.step_size = %6g s", hm_step_size(head));
 }
 
 /* Node whose acceleration changed most in the last pair, in the mass norm. */
@@ -311,14 +311,14 @@ static coarse_run judge_run(const hm_model_file *f, const double *numbers, const
                         is_led ? head[S_TURNED] / (3.0 + head[S_TURNED]) : 0.0};
 }
 
-/* Length of equal steps that is short enough for an error of HOLONOM_AIM. */
+/* Length of equal steps that is short enough for an error of HOLONOM_USUAL_TOLERANCE. */
 static double short_enough(const double *head, const coarse_run *x)
 {
     const double order = head[S_STEPPED] != 0.0 ? 2.0 : fmax(head[S_ORDER], 2.0), turn = fmax(x->turn, x->longest) / x->longest;
     double error = fmax(fmax(x->place / x->size, x->angle), x->reaction), root = order;
     if (!(error > 0.0)) error = head[S_EQUAL_STEPS] * TURN_ERROR * hm_pow(turn, order + 1.0);
     if (x->reaction == error) root = 2.0; /* means over half steps, whatever the order */
-    return SHORTER * head[S_COARSE_LENGTH] * fmin(hm_pow(HOLONOM_AIM / error, 1.0 / root), 0.9 / turn);
+    return SHORTER * head[S_COARSE_LENGTH] * fmin(hm_pow(HOLONOM_USUAL_TOLERANCE / error, 1.0 / root), 0.9 / turn);
 }
 
 static void say_what_is_off(hm_text *text, const double *head, const coarse_run *x)
@@ -352,7 +352,7 @@ static void say_coarse_steps(hm_text *text, const hm_model_file *f, const double
     if (is_over) say_what_is_off(text, head, &x);
     if (!is_stepped) hm_say(text, "; leave solver.step_size %sout, so that steps follow the motion", head[S_ORDER] > 0.0 ? "and solver.order " : "");
     if (is_over)
-        hm_say(text, "%s set solver.step_size <= %2g s, for an error of about %6g", is_stepped ? ";" : ", or", short_enough(head, &x), HOLONOM_AIM);
+        hm_say(text, "%s set solver.step_size <= %2g s, for an error of about %6g", is_stepped ? ";" : ", or", short_enough(head, &x), HOLONOM_USUAL_TOLERANCE);
     else if (is_stepped) hm_say(text, "; set a smaller solver.step_size");
 }
 

@@ -296,6 +296,7 @@ HEAD = (
     "reach",  # longest way of a place from its start [m], as far as looked at
     "place_error", "angle_error",  # sums of what these add to the error of the run [m, rad]
     "turned", "turning",  # largest turn of a body in one, squared [rad^2], and its node
+    "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
@@ -303,9 +304,11 @@ HEAD = (
     "status",  # of the last step
     "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
     "step_size", "newton_tolerance", "penalty", "max_newton", "max_uzawa", "assemble",
-    "equilibrium", "order", "tolerance", "absolute_tolerance", "longest_step", "rest_speed",
+    "equilibrium", "order", "tolerance", "method", "absolute_tolerance", "longest_step",
+    "rest_speed",
     "rest_time", "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
+    "host_tolerance",  # that the importer of an FMU asks for, or 0
     "input_step", "input_step_before",  # lengths of the last two communication steps
     "unsettled",  # whether contacts and frictions are to be looked at before the next step
 )
@@ -421,8 +424,8 @@ MEASURED = {
     "residual": "2",  # largest of positions and velocities, scaled
     "momentum": "dim",
     "angular_momentum": "turning",  # about the origin
-    "solver": "8",  # Newton iterations, Uzawa updates, substeps, order, as pairs, sampling,
-    # coarseness, status
+    "solver": "10",  # Newton iterations, Uzawa updates, substeps, order, method, error estimate,
+    # as pairs, sampling, coarseness, status
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts
@@ -471,8 +474,6 @@ RELATIONS = {
 `noted` is = 0, and a run that breaks it tells so and goes on."""
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
-AIM = 1e-4
-"""Error of equal steps, over the size or in rad, for which a length is proposed."""
 MOST_COARSENESS = 1.0
 """Largest `solver.coarseness`: beyond it equal steps are too long for the motion."""
 MOST_SAMPLING = 1.0
