@@ -48,6 +48,9 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_BAD_DRIVER:
         return "it has no finite value at this time, and velocities or forces would be infinite; write a formula that is smooth there, "
                "as t**2 is and t**1.5 is not, or start at another time";
+    case HOLONOM_LAW_SWITCHES:
+        return "it switches more than 1000 times in this communication step, forth and back without end; give it a hysteresis, or a slope "
+               "in the place of the jump, as min(max(20*x, -1), 1) has for sign(x)";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
@@ -191,7 +194,8 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
     const int32_t fault = is_sure || lacks_solution(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
     if (lacks_solution(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
-    if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
+    if (status == HOLONOM_LAW_SWITCHES) hm_say(text, "%s: ", f->text + f->switches[fault]);
+    else if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
     else if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
     else if (fault - n_rows < f->model.n_free) say_fault_node(text, f, "near ", fault - n_rows);
     else

@@ -80,6 +80,7 @@ class Status(IntEnum):
     AT_DEAD_CENTRE = 16  # velocities at the start belong to no motion: rows lack accelerations
     STOPPED = 17  # who waits for the step has asked for its end
     BAD_DRIVER = 18  # the value, rate or second derivative of a signal is not finite
+    LAW_SWITCHES = 19  # a law changes sides more often in a communication step than it may
 
 
 def is_double(value: object) -> bool:
