@@ -207,7 +207,11 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const step_function take = tiny ? short_piece : internal_step;
         status = take(c, h);
         int rejected = status ? 1 : tiny ? 0 : judge_step(c, h, step);
-        if (!rejected || status) rejected = (status = find_switch(c, take, start + done, &h, status, &crossed)) != HOLONOM_OK;
+        if (!rejected || status) {
+            const int is_unjudged = status && !tiny;
+            status = find_switch(c, take, start + done, &h, status, &crossed);
+            rejected = status || (is_unjudged && h > 0.0 && judge_step(c, h, step));
+        }
         half_steps += c->halves;
         failed = status;
         if (rejected) {
