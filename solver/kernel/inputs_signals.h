@@ -4,6 +4,7 @@
 
 #include "energy.h"
 #include "ledger.h"
+#include "sides.h"
 
 /* Time at part `part` of a step of length h from t, but inside of it, where laws may jump at its ends. */
 static double inside_of_step(double t, double h, double part)
@@ -47,8 +48,6 @@ static void sense(context *c, double h, int parity)
         c->number[m->sensor_at + j] = angle;
     }
 }
-
-static void watch_switches(const context *c, double t);
 
 /* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes springs, their stored
    energy jumps, which is work on the mechanism.                                                                 */

@@ -49,8 +49,9 @@ const char *hm_about_step(int32_t status)
         return "it has no finite value at this time, and velocities or forces would be infinite; write a formula that is smooth there, "
                "as t**2 is and t**1.5 is not, or start at another time";
     case HOLONOM_LAW_SWITCHES:
-        return "it switches more than 1000 times in this communication step, forth and back without end; give it a hysteresis, or a slope "
-               "in the place of the jump, as min(max(20*x, -1), 1) has for sign(x)";
+        return "it switches more than 1000 times in this communication step; if it goes forth and back without end, give it a hysteresis, or "
+               "a slope in the place of the jump, as min(max(20*x, -1), 1) has for sign(x); a force that rubs holds where it is written "
+               "with the sign of the rate along which it acts";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Iterable, Iterator
 
 from solver.mechanics.formulas import rewritten
@@ -23,7 +24,7 @@ def names_of_switches(parts: Parts, switches: Iterable[Switch]) -> tuple[str, ..
 
 
 def _named(owner: str, text: str) -> str:
-    bare = text[1:-1] if text.startswith("(") else text
+    bare = re.sub(r"\b(\d+)\.0\b", r"\1", text[1:-1] if text.startswith("(") else text)
     return f"{owner}: {bare}" if owner else bare
 
 
