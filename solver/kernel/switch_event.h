@@ -142,12 +142,26 @@ HM_SELDOM static int32_t find_switch(context *c, step_function take, double t, d
     return made == *h && !status ? HOLONOM_OK : step_anew(c, take, t, *h);
 }
 
-/* Begins anew on other sides; the rates of signals were signal_before. */
-HM_SELDOM static int32_t begin_on_sides(context *c)
+#define SAME_VALUE 1e-12 /* part of a signal, or of 1 m or rad, by which it may jump by rounding */
+
+/* Signals and their rates (signal1, signal_before) at time t, on the sides that they leave. */
+static void keep_signals(const context *c, double t)
 {
+    if (!c->m->n_signals) return;
+    signals_at(c, t, c->k.signal1);
+    signal_rates_at(c, t, c->k.signal_before);
+}
+
+/* Begins anew on other sides from time t on. Signals and their rates were those of keep_signals. */
+HM_SELDOM static int32_t begin_on_sides(context *c, double t)
+{
+    double *now = c->k.signal_rate;
     int jumps = 0;
-    if (c->m->n_signals) signal_rates_at(c, c->t, c->k.signal_rate);
-    for (int32_t b = 0; b < c->m->n_signals; b++) jumps |= c->k.signal_rate[b] != c->k.signal_before[b];
+    if (c->m->n_signals) signals_at(c, t, now);
+    for (int32_t b = 0; b < c->m->n_signals; b++)
+        if (!(fabs(now[b] - c->k.signal1[b]) <= SAME_VALUE * (1.0 + fabs(now[b])))) return HOLONOM_SIGNAL_JUMPS;
+    if (c->m->n_signals) signal_rates_at(c, t, now);
+    for (int32_t b = 0; b < c->m->n_signals; b++) jumps |= now[b] != c->k.signal_before[b];
     c->stop = NAN;
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
@@ -155,17 +169,24 @@ HM_SELDOM static int32_t begin_on_sides(context *c)
     return jumps ? jump_with_signals(c) : HOLONOM_OK;
 }
 
-/* Blames a switch. */
-static void blame_switch(context *c, int32_t k) { c->at_fault = 1 + k; }
+/* Blames a switch, by its number and 1, for a failure at it. */
+static int32_t blame_switch(context *c, int32_t status, int32_t k)
+{
+    if (status) c->at_fault = 1 + k;
+    return status;
+}
 
 /* Changes the sides of switches of the time. Signals whose rates jump take velocities along. */
 HM_SELDOM static int32_t pass_time(context *c, double time)
 {
-    if (c->m->n_signals) signal_rates_at(c, time, c->k.signal_before);
-    for (int32_t k = 0; k < c->m->n_switches; k++)
-        if (!switch_of(c, k)->is_of_motion) blame_switch(c, k);
+    keep_signals(c, time);
+    double *before = c->k.watched + 2 + c->m->n_switches;
+    memcpy(before, c->s.side, sizeof(double) * (size_t)c->m->n_switches);
     settle_sides(c, time, 1);
-    return begin_on_sides(c);
+    int32_t first = c->m->n_switches - 1;
+    for (int32_t k = first; k >= 0; k--)
+        if (before[k] != c->s.side[k]) first = k;
+    return blame_switch(c, begin_on_sides(c, time), first);
 }
 
 /* Changes the sides of the switches that find_switch has ended a step at: their arguments, just behind, are those of the last length
@@ -174,19 +195,20 @@ HM_SELDOM static int32_t pass_motion(context *c)
 {
     const int32_t n = c->m->n_switches;
     const double *at_high = c->k.watched + 2 + 2 * n;
-    if (c->m->n_signals) signal_rates_at(c, c->t, c->k.signal_before);
+    int32_t last = 0;
+    keep_signals(c, c->t);
     sense(c, 0.0, 0);
     set_laws(c, c->t, 1);
     for (int32_t k = 0; k < n; k++) {
         const switch_place *x = switch_of(c, k);
         const double g = at_high[k], side = c->s.side[k];
         if (!x->is_of_motion || !is_off_side(x->kind, g, side)) continue;
-        blame_switch(c, k);
+        last = k;
         if (x->kind == SWITCH_LEVEL) c->s.side[k] = g == g ? floor(g) : c->number[x->argument] < side + 0.5 ? side - 1.0 : side + 1.0;
         else c->s.side[k] = g == g ? (double)((g > 0.0) - (g < 0.0)) : -side;
     }
     set_laws(c, c->t, 1);
-    return begin_on_sides(c);
+    return blame_switch(c, begin_on_sides(c, c->t), last);
 }
 
 /* Shortens a step from time t, in a communication step of length `step` that goes on for `rest`, to the next switch of the time;

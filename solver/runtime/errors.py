@@ -81,6 +81,7 @@ class Status(IntEnum):
     STOPPED = 17  # who waits for the step has asked for its end
     BAD_DRIVER = 18  # the value, rate or second derivative of a signal is not finite
     LAW_SWITCHES = 19  # a law changes sides more often in a communication step than it may
+    SIGNAL_JUMPS = 20  # the value of a driver or constraint jumps
 
 
 def is_double(value: object) -> bool:

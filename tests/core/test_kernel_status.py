@@ -147,6 +147,7 @@ FAILURES = {
     Status.BAD_DRIVER: (STOPPED.replace('"t"', '"sqrt(0.1 - t) - sqrt(0.1)"'), {}, {}, 0.1),
     Status.TOO_MANY_EVENTS: (BOUNCING_AND_STOPPED, {"max_events": 2}, {}, 0.1),
     Status.LAW_SWITCHES: (WAVERING, {}, {}, 0.1),
+    Status.SIGNAL_JUMPS: (STOPPED.replace('"t"', '"0.01*t if t < 0.03 else 0.02*t"'), {}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
 
@@ -166,6 +167,7 @@ SENTENCES = {
     Status.BAD_DRIVER: "the rate of driver 'motor': it has no finite value at this time",
     Status.IMPACT_UNSOLVED: "contact 'end': no impulses were found that obey the law of impact",
     Status.TOO_MANY_EVENTS: "contact 'floor': contacts change more often than solver.max_events",
+    Status.SIGNAL_JUMPS: "driver 'motor': t < 0.03: what it drives would jump to another place",
     Status.LAW_SWITCHES: "force 'brake': A.vx > 0: it switches more than 1000 times",
 }
 """What is said of each."""
