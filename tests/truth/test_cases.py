@@ -59,11 +59,6 @@ FAILS: Mapping[str, Mapping[str, int]] = {
         "a regulator settles it at 50 rad/s": 46,
         "a regulator settles it at 100 rad/s": 46,
     },
-    "sign_friction": {
-        "it stops at 2/3 s and stays, at 0.001": 46,
-        "it stops at 2/3 s and stays, at 1e-06": 46,
-        "it stops at 2/3 s and stays, at 1e-09": 46,
-    },
     "singular_communication_point": {
         "steps of 0.71435552929295 s that end near the flat pose keep a tolerance of 1e-6": 46,
         "steps of 1.2281593933141197 s that end near the flat pose keep a tolerance of 1e-6": 46,
