@@ -1,4 +1,4 @@
-/* Steps that end at switches, and sides that change there (theory 8.7).
+/* Steps that end at switches, and sides that change there (theory 8.6).
 
    Within a step all laws are as they are on the sides at its beginning. After it, and wherever it has evaluated the laws, one looks
    whether a switch of the motion is off its side. If so the step is made anew, of other lengths, until it ends just behind the first
@@ -25,7 +25,7 @@ static void begin_watched(context *c, double h)
     set_laws(c, c->t, 1);
     keep_state(c, c->k.switch_backup);
     c->k.watched[0] = c->t + rounding_of_time(c->t, h);
-    c->k.watched[1] = c->t + h - rounding_of_time(c->t, h);
+    c->k.watched[1] = c->t + h + rounding_of_time(c->t, h);
     memset(c->k.watched + 2, 0, sizeof(double) * (size_t)c->m->n_switches);
 }
 
@@ -132,6 +132,9 @@ HM_SELDOM static int32_t find_switch(context *c, step_function take, double t, d
         if (is_late) high = made, failed = status;
         else low = made;
     }
+    int is_known = !failed;
+    for (int32_t k = 0; k < n; k++) is_known |= at_high[k] != at_high[k];
+    if (!is_known) return failed; /* for another reason */
     *h = failed ? low : high;
     *crossed = 1;
     if (!(*h > NO_PIECE * whole)) {

@@ -1,4 +1,4 @@
-/* Switches: what decides between the smooth pieces of laws and signals (theory 8.7).
+/* Switches: what decides between the smooth pieces of laws and signals (theory 8.6).
 
    A comparison, floor, abs, min, ... reads on which side its argument is. Sides belong to the state; they stand within a step, so that
    laws are smooth even a little beyond a switch, and change where a step ends. Those of the time alone are known beforehand: the next
