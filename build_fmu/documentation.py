@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from build_fmu.payload import package_folder
 from build_fmu.report import as_text
 from build_fmu.study.values import counted
-from solver.options import TINY
+from solver.options import TINY, step_of, tolerance_of
 
 if TYPE_CHECKING:
     from build_fmu.package import Package
@@ -138,10 +138,12 @@ def solved(model: Model) -> str:
     apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
     rows = counted(sizes["n_rows"], "constraint row")
     text = f"{coordinates} and {rows}{apart}, solved in"
-    if settings["tolerance"]:
-        return f"{text} steps chosen for a relative error of the run of {settings['tolerance']:g}."
+    if tolerance := tolerance_of(settings):
+        steps = "explicit or conserving" if settings["method"] == "fastest" else "conserving"
+        return f"{text} {steps} steps chosen for a relative error of the run of {tolerance:g}."
     order = float(settings["order"]) or 2.0
-    return f"{text} internal steps of at most {settings['step_size']:g} s, of order {order:g}."
+    step = step_of(settings)
+    return f"{text} conserving internal steps of at most {step:g} s, of order {order:g}."
 
 
 def accuracy(model: Model, seen: SelfCheck) -> str:
@@ -165,7 +167,7 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
     if seen.reason:
         yield f"The run ended early: {seen.reason}"
     elif seen.moved and seen.position_error is not None:
-        is_chosen = bool(model.settings["tolerance"])
+        is_chosen = bool(tolerance_of(model.settings))
         finer = "a hundredth of the tolerance" if is_chosen else "half the internal step"
         turned = seen.rotation_error
         rotation = "" if turned is None else f", and its angles and orientations {turned:.1e} rad"

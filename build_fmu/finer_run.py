@@ -14,7 +14,7 @@ from build_fmu.errors import CommandError, UnfinishedError
 from build_fmu.instance import description_of
 from build_fmu.study.settings import fmu_settings
 from build_fmu.target import fmu_model
-from solver.options import OPTIONS
+from solver.options import OPTIONS, step_of, tolerance_of
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def _measured(
     settings: dict[str, Any] = {
         name: values.get(f"solver.{name}", start) for name, start in model.settings.items()
     }
-    times, tolerance = coarse.values["time"], float(settings["tolerance"])
+    times, tolerance = coarse.values["time"], tolerance_of(settings)
     size = _size(model, values, float(times[0]))
     units = {v.name: v.unit for v in model.variables if v.causality == "output"}
 
@@ -90,8 +90,9 @@ def _measured(
         a, b = ({name: run.values[name] for name in units} for run in (coarse, fine))
         return Comparison(times, a, b, units, size)
 
-    is_stepped = settings.get("contact_mode") == "stepped"  # in equal steps, whatever the tolerance
-    if tolerance and not is_stepped:
+    is_stepped = settings.get("contact_mode") == "stepped"
+    if tolerance:
+        settings["tolerance"] = tolerance
         finer = _tolerances(settings, 0.1)
         seen = compared(finer)
         if seen.is_none:  # communication steps limit all steps
@@ -100,7 +101,7 @@ def _measured(
         tolerance += settings["absolute_tolerance"] / seen.size
         return Accuracy(finer, [*seen.differences.values()], of_a_tolerance(seen, tolerance))
     longest = float(np.diff(times).max())
-    step = longest / max(1.0, math.ceil(longest / settings["step_size"] * (1.0 - 1e-10)))
+    step = longest / max(1.0, math.ceil(longest / step_of(settings) * (1.0 - 1e-10)))
     finer = {"solver.step_size": 0.5 * step}
     seen = compared(finer)
     orders = coarse.values["solver.order_in_use"][1:]  # none before the first step

@@ -14,7 +14,7 @@ import numpy as np
 
 from build_fmu.jumps import jumps
 from build_fmu.motion import RESIDUAL, Poses, lag_of_velocities, largest_by_unit, losses
-from solver.options import OPTIONS
+from solver.options import LEAST_TOLERANCE, step_of, tolerance_of
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 from solver.runtime.errors import in_one_line
 
@@ -110,7 +110,7 @@ def self_check(model: Model) -> SelfCheck:
 def _extent(model: Model) -> tuple[float, int]:
     """Length of the run [s] and its communication steps."""
     start, stop, communication, _ = model.experiment
-    internal = min(float(model.settings["step_size"]), communication)
+    internal = min(step_of(model.settings), communication)
     affordable = max(1.0, MOST_WORK / _unknowns(model)) * internal
     duration = min(stop - start, affordable, MOST_LOOKS * communication)
     steps = max(1, math.ceil(duration / communication * (1.0 - 1e-9)))
@@ -151,11 +151,10 @@ def _apart(
         return None
     fine = Integrator(model, log=lambda _: None)  # the coarse one has said it
     settings = model.settings
-    if settings["tolerance"]:
-        least = OPTIONS["tolerance"].least
-        fine["solver.tolerance"] = max(0.01 * float(settings["tolerance"]), least)
+    if tolerance := tolerance_of(settings):
+        fine["solver.tolerance"] = max(0.01 * tolerance, LEAST_TOLERANCE)
     else:
-        longest = min(float(settings["step_size"]), duration / steps)
+        longest = min(step_of(settings), duration / steps)
         fine["solver.step_size"] = 0.5 * longest
     motion, reason = _run(fine, duration, steps, poses.names)
     return None if reason else poses.apart(coarse, motion)

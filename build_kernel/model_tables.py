@@ -1,7 +1,7 @@
 """Write the core's picture of a model and a state from their declaration in Python, and tables.
 
 `solver/runtime/layout.py` has the fields, ``solver/kernel/scratch.py`` the scratch of a call,
-``solver/runtime/errors.py`` the codes of failures. What stands in a comment behind a field there is
+``solver/runtime/errors.py`` the codes of failures, ``solver/options.py`` the settings. What stands in a comment behind a field there is
 its comment here.
 
     model_tables.h      structures and enumerations
@@ -63,7 +63,7 @@ def headers(solver: Path) -> dict[str, str]:
     """Return the text of each header by its name; `solver` is the folder of that package."""
     layout, scratch = (declared(solver / x) for x in ("runtime/layout.py", "kernel/scratch.py"))
     structures = (
-        *_structures(layout, scratch),
+        *_structures(layout, scratch, declared(solver / "options.py").values),
         *_enumerations(layout, declared(solver / "runtime/errors.py")),
     )
     found = (
@@ -105,10 +105,12 @@ def _structure(name: str, fields: Iterable[str]) -> str:
     return "\n".join([f"typedef struct {name} {{", *fields, f"}} {name};\n"])
 
 
-def _structures(layout: Declared, scratch: Declared) -> Iterator[str]:
+def _structures(layout: Declared, scratch: Declared, options: Values) -> Iterator[str]:
     values = layout.values
     for name in ("ABI", "MOST_COARSENESS", "MOST_SAMPLING"):
         yield f"#define HOLONOM_{name} {values[name]}\n"
+    for name in ("USUAL_STEP", "USUAL_TOLERANCE", "LEAST_TOLERANCE"):
+        yield f"#define HOLONOM_{name} {options[name]}\n"
     yield _structure("holonom_elimination", _tables(layout, "ELIMINATION"))
     yield _structure("holonom_model", [
         *(_noted(f"int32_t {name};", layout.note("SIZES", name)) for name in values["SIZES"]),

@@ -6,7 +6,10 @@ from this one.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass
+from typing import Any
+
 
 TINY = 2.2250738585072014e-308
 """Least normal number, for what must be greater than zero."""
@@ -16,6 +19,15 @@ ORDERS = (2.0, 4.0, 6.0, 8.0)
 
 AUTOMATIC = 0.0
 """Order that the tolerance chooses; 2 without one."""
+
+USUAL_STEP = 0.01
+"""Longest internal step of equal steps where an order is given alone [s]."""
+
+USUAL_TOLERANCE = 1e-4
+"""Tolerance where neither step, order nor tolerance is given."""
+
+LEAST_TOLERANCE = 1e-14
+"""Some round-off: no run comes closer."""
 
 
 @dataclass(frozen=True)
@@ -84,9 +96,10 @@ class Option:
 
 # fmt: off
 _TABLE = (
-    Option("step_size", 0.01,
-           "internal step of a run without tolerance, at most the communication step",
-           high=1e6, unit="s"),
+    Option("step_size", 0.0,
+           "longest internal step of a run in equal steps, which a communication step may shorten; "
+           f"0: not given, {USUAL_STEP:g} s where an order is",
+           low=0.0, high=1e6, unit="s"),
     Option("newton_tolerance", 1e-12, "relative error of a step's solution in the energy norm",
            high=1e-3),
     Option("penalty", 1e8, "dimensionless penalty alpha h^2 sigma/4 of each constraint row",
@@ -96,10 +109,16 @@ _TABLE = (
            low=1.0, high=1e3, whole=True),
     Option("max_uzawa", 20.0, "Uzawa updates in a step", low=1.0, high=1e3, whole=True),
     Option("order", AUTOMATIC,
-           "order of accuracy: 2, 4, 6 or 8; 0: chosen by the tolerance, 2 without one",
+           "order of accuracy: 2, 4, 6 or 8; 0: chosen by the tolerance, 2 in equal steps",
            allowed=(AUTOMATIC, *ORDERS), low=0.0, high=max(ORDERS)),
-    Option("tolerance", 0.0, "relative error of a run, or 0: steps of step_size",
-           low=0.0, high=0.1, least=1e-14),
+    Option("tolerance", 0.0,
+           "relative error of a run, which chooses the steps; 0: not given, equal steps where a "
+           f"step_size or an order is, else {USUAL_TOLERANCE:g}",
+           low=0.0, high=0.1, least=LEAST_TOLERANCE),
+    Option("method", "conserving",
+           "steps of a run with a tolerance: conserving half steps alone, or explicit ones as well "
+           "wherever they are possible (fastest)",
+           words=("conserving", "fastest")),
     Option("absolute_tolerance", 0.0, "allowed absolute error, added to the relative one",
            low=0.0, high=1e6, unit="m"),
     Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s"),
@@ -154,3 +173,16 @@ def removed(name: object) -> str:
 
 
 DEFAULTS = {name: option.default for name, option in OPTIONS.items()}
+
+
+def tolerance_of(settings: Mapping[str, Any]) -> float:
+    """Tolerance that settings choose, or 0: equal steps of `step_of` them."""
+    if settings.get("contact_mode") == "stepped":
+        return 0.0
+    is_open = not (settings["step_size"] or settings["order"] or settings["tolerance"])
+    return USUAL_TOLERANCE if is_open else float(settings["tolerance"])
+
+
+def step_of(settings: Mapping[str, Any]) -> float:
+    """Length of equal steps that settings choose, at most the communication step [s]."""
+    return float(settings["step_size"]) or USUAL_STEP

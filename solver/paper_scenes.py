@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from solver.mechanics.matrices import Matrices
+from solver.options import USUAL_STEP
 from solver.paper.problem import Functions, Method, Problem, check
 from solver.paper.step import Moment, step
 from solver.runtime import Integrator
@@ -36,7 +37,8 @@ def run(
 ) -> Iterator[list]:
     """Yield the values of the variables at `places` for each time [s].
 
-    The mechanism is started and moves from time to time in steps of its setting `step_size`.
+    The mechanism is started and moves from time to time in steps of its setting `step_size`,
+    or `USUAL_STEP`.
 
     Parameters
     ----------
@@ -58,7 +60,7 @@ def run(
     check("penalty", penalty, "> 0")
     integrator.initialise()
     integrator.begin()
-    x, h = Matrices(integrator), float(integrator["solver.step_size"])
+    x, h = Matrices(integrator), float(integrator["solver.step_size"]) or USUAL_STEP
     per_step = 1.0 if method.get("formulation") == "penalty-velocity" else 4.0 / h**2
     given = {"alpha": per_step * penalty / x.sigma, "multiplier_update": multiplier_update}
     problem, how = problem_of(x), Method(**given, **method)

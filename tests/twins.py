@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import solver
+from solver.options import USUAL_STEP, tolerance_of
 from solver.runtime import Integrator, Model
 from tests.kernel_calls import kernel_of
 
@@ -91,12 +92,15 @@ value = ["0.4*push", 1.0, "2 + push*t"]
 
 @cache
 def _assembled(source: str | Path) -> Model:
-    scene = solver.load(source) if isinstance(source, Path) else solver.loads(source)
+    read = solver.load if isinstance(source, Path) else solver.loads
+    scene = read(source)
+    if tolerance_of(vars(scene.solver)) and not scene.solver.tolerance:
+        scene = read(source, overrides={"solver.step_size": USUAL_STEP})
     return solver.assemble(scene)
 
 
 def model_of(source: str | Path | Model) -> Model:
-    """Model of a scene's text or file, assembled once."""
+    """Model of a scene's text or file, assembled once; in equal steps unless it asks for others."""
     return source if isinstance(source, Model) else _assembled(source)
 
 

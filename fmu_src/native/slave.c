@@ -125,16 +125,18 @@ slave_answer slave_check(slave *s, slave_call call)
 /* A host may ask for less error than the run is set to, and never for more: it often passes a tolerance that nobody chose. */
 static void take_tolerance(slave *s, double tolerance)
 {
-    const int32_t index = variable_named(s, "solver.tolerance");
-    const double own = slave_head(s)[S_TOLERANCE];
-    if (!(tolerance > 0.0))
-        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: it must be > 0", tolerance);
-    else if (own == 0.0 || index < 0)
+    double *head = slave_head(s);
+    head[S_HOST_TOLERANCE] = 0.0;
+    const double own = hm_tolerance(head);
+    if (!(tolerance >= HOLONOM_LEAST_TOLERANCE)) {
+        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: it must be >= %6g, some round-off", tolerance, HOLONOM_LEAST_TOLERANCE);
+        return;
+    }
+    head[S_HOST_TOLERANCE] = tolerance;
+    if (own == 0.0)
         slave_tell(s, ANSWER_OK, "tolerance %r has no effect: this run has fixed steps, set by solver.step_size and solver.order", tolerance);
     else if (tolerance > own)
-        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: solver.tolerance is %r, which is tighter", tolerance, own);
-    else if (!slave_hears(s, holonom_set(s->instance, &index, 1, &tolerance, NULL)))
-        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: %s", tolerance, holonom_message(s->instance));
+        slave_tell(s, ANSWER_OK, "tolerance %r has no effect: that of this run is %r, which is tighter", tolerance, own);
 }
 
 slave_answer slave_set_up(slave *s, double start, const double *stop, const double *tolerance)
@@ -208,7 +210,7 @@ static void say_remedy(slave *s, double t, double step)
     else
         hm_say(&s->text, "from %6g to %6g s: shorter communication steps alone do not help", s->longest, s->shortest);
     hm_say(&s->text, ", set solver.step_size below %6g s, and look for very small masses, very stiff springs, dampers or forces "
-           "that jump, and lengths that cannot be closed at this time", fmin(slave_head(s)[S_STEP_SIZE], s->shortest));
+           "that jump, and lengths that cannot be closed at this time", fmin(hm_step_size(slave_head(s)), s->shortest));
 }
 
 /* Whether a step ends after the stop time by more than round-off: some last digits, and one for each step of this size from the
@@ -252,7 +254,7 @@ static slave_answer move_on(slave *s, double t, double step)
     hm_clear(&s->text);
     slave_say_message(s);
     const double *head = slave_head(s);
-    const int is_too_short = !(t + step > t) || (head[S_STATUS] == HOLONOM_BAD_STEP && step < head[S_STEP_SIZE]);
+    const int is_too_short = !(t + step > t) || (head[S_STATUS] == HOLONOM_BAD_STEP && step < hm_step_size(head));
     if ((result & ~HOLONOM_REMARKED) != HOLONOM_FAILED || is_too_short) return end_by_error(s);
     s->memory.status = 0; /* the core knows more */
     say_remedy(s, t, step);

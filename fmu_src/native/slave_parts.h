@@ -2,7 +2,7 @@
 #ifndef HOLONOM_SLAVE_PARTS_H
 #define HOLONOM_SLAVE_PARTS_H
 
-#include "internal.h"
+#include "chosen_steps.h"
 #include "slave.h"
 
 enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED, FAILED }; /* FAILED: after a step that could not be */

@@ -3,7 +3,7 @@
 #ifndef HOLONOM_CONTEXT_H
 #define HOLONOM_CONTEXT_H
 
-#include "internal.h"
+#include "chosen_steps.h"
 #include "vectors.h"
 
 #include <limits.h>

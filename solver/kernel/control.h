@@ -10,6 +10,7 @@
 #include "switch_event.h"
 
 enum { MAX_REPEATS = 40 };
+#define JUMP 1e-12 /* of a driver's place, or over it: round-off of ramps is less */
 #define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
@@ -74,13 +75,16 @@ static int is_limited(const context *c)
     return !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
 }
 
+/* Whether steps of a tolerance may be explicit: `fastest` asks for them. */
+static int takes_explicit(const context *c) { return c->s.head[S_METHOD] != 0.0 && may_step_explicitly(c); }
+
 /* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are much too fast for covers. */
 static int may_take(const context *c, const method *x, const step_error *e)
 {
     const int asked = (int)c->s.head[S_ORDER];
     if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) > SHORTER * longest_cover(c))) return 0;
     if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
-    if (x->way == EXPLICIT) return may_step_explicitly(c);
+    if (x->way == EXPLICIT) return takes_explicit(c);
     if (c->way == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
     return x->way == COMPOSED || !is_limited(c);
 }
@@ -115,9 +119,9 @@ static void begin_control(context *c)
     c->damped = is_dissipative(c);
     c->longest_put_back = INFINITY;
     if (may_be_explicit && !ends_explicitly(c)) find_longest(c);
-    const double eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
+    const double eighth = rate > 0.0 ? 0.5 * hm_pow(hm_tolerance(head), 1.0 / 9.0) / rate : 0.0;
     const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
-    if (!may_be_explicit || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
+    if (!takes_explicit(c) || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
     else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
     if (head[S_EXPLICIT] != 0.0) head[S_ORDER_IN_USE] = is_new ? 8.0 : head[S_ORDER_IN_USE];
     else if (is_limited(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
@@ -125,7 +129,7 @@ static void begin_control(context *c)
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
-    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(hm_tolerance(head), 1.0 / (head[S_ORDER_IN_USE] + 1.0));
     head[S_WANTED] = rate > 0.0 ? turned / rate : INFINITY;
 }
 
@@ -152,6 +156,7 @@ static int judge_step(context *c, double h, double step)
     head[S_WANTED] = h * fmin(fmax(change, SHORTEST), 2.0);
     if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
     if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
+    head[S_ERROR_ESTIMATE] += share * h * tolerated(c) / head[S_HORIZON];
     if (judged) head[S_LAST_RATE] = e.rate;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
@@ -168,6 +173,28 @@ HM_SELDOM static void bound_across(context *c)
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
 }
 
+/* Lets what drivers hold follow signals that have jumped since the last communication step, at once: steps of any length would throw
+   it about as much faster as they are shorter. The work is what energies ask for. Where rows cannot follow, all stays as it is. */
+HM_SELDOM static void follow_jumps(context *c)
+{
+    int jumps = 0, held = 0;
+    signals_at(c, c->t, c->k.signal1);
+    for (int32_t b = 0; b < c->m->n_signals; b++)
+        jumps |= fabs(c->k.signal1[b] - c->s.signal[b]) > JUMP * fmax(1.0, fabs(c->s.signal[b]));
+    if (!jumps) return;
+    context at = rows_at_state(c);
+    double *before = c->k.whole_backup;
+    keep_state(c, before);
+    keep_motion(c, 0.0);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    place_driven(c);
+    take_unknowns(&at);
+    if (factorise_here(&at) || put_back(c, &at, &held)) take_state(c, before);
+    else follow_turns(c);
+    c->s.head[S_MEAN_TIME] = INFINITY;
+    forget_halves(c);
+}
+
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
 HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double step)
 {
@@ -175,6 +202,8 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
     double tried = 0.0; /* length of the explicit step first tried */
     int repeats = 0;
+    c->t = start;
+    if (c->m->n_signals) follow_jumps(c);
     begin_control(c);
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;
@@ -323,7 +352,7 @@ HM_SELDOM static int32_t cover_between_switches(context *c, double start, double
 static int32_t cover_evenly(context *c, double start, double step)
 {
     double *head = c->s.head;
-    const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
+    const double n = fmax(1.0, ceil(step / hm_step_size(head) * (1.0 - 1e-10))), h = step / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
     head[S_EXPLICIT] = 0.0;

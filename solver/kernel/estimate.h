@@ -149,6 +149,7 @@ static int estimate_error(const context *c, double h, step_error *e)
     e->rate = turned / h;
     if (c->way == EXPLICIT) e->rate = fmax(e->rate, mass_norm(c, c->s.a[0]) / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
     e->mean = used->mean * hm_pow(freed, order + 1);
+    const double before_it = c->s.head[S_LAST_RATE];
     const int is_settled = has_strong_dampers(c);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
         const double before = relative_size(c, mass_norm(c, x + 2 * n), mass_norm(c, x + 3 * n));
@@ -157,7 +158,7 @@ static int estimate_error(const context *c, double h, step_error *e)
         else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
-    else if (order == 4 && e->rate > SUDDEN * c->s.head[S_LAST_RATE]) e->mean = fmax(e->mean, AT_A_JUMP * difference);
+    else if (order == 4 && before_it > 0.0 && e->rate > SUDDEN * before_it) e->mean = fmax(e->mean, AT_A_JUMP * difference);
     e->mean *= c->growth;
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;

@@ -84,6 +84,11 @@ static int32_t take_weighted(context *c, const double *booked)
         gained += i == 0 ? booked[i] : -booked[i];
     }
     gain_together(c, gained);
+    if (c->m->n_driven) { /* whose rates are right to the order */
+        signals_at(c, c->t, c->k.signal1);
+        signal_rates_at(c, c->t, c->k.signal_rate);
+        place_driven(c);
+    }
     suspend_sliding(c, NULL, 1); /* no friction answers the corrections */
     context at = rows_at_state(c);
     take_unknowns(&at);
@@ -138,7 +143,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
     if (is_judged) {
         add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
         c->s.head[S_LAST_LENGTH] = 0.5 * h;
-    } else if (c->s.head[S_TOLERANCE] > 0.0 && status != HOLONOM_DAMPING_REVERSED)
+    } else if (hm_tolerance(c->s.head) > 0.0 && status != HOLONOM_DAMPING_REVERSED)
         return status;
     take_state(c, c->k.finest);
     c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;

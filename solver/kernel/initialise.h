@@ -43,7 +43,7 @@ HM_SELDOM static int32_t seek_step(const context *begun, double h, int constrain
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
     double last = INFINITY;
     /* With forces the rows' compliance G A^-1 G' grows with h^2 only until springs hold the mechanism. */
-    const double holding = constraints_only ? h : fmin(h, c->s.head[S_STEP_SIZE]);
+    const double holding = constraints_only ? h : fmin(h, hm_step_size(c->s.head));
     stand_still(c);
     c->theta = 1.0;
     c->h = h;
@@ -185,7 +185,7 @@ static int32_t close_mechanism(context *c)
 static int32_t seek_equilibrium(context *c)
 {
     const holonom_model *m = c->m;
-    double h = c->s.head[S_STEP_SIZE], size = INFINITY;
+    double h = hm_step_size(c->s.head), size = INFINITY;
     int small = 0, moved = 0;
     int32_t failure = HOLONOM_NEWTON_DIVERGED;
     memset(c->s.v, 0, sizeof(double) * (size_t)(DIM * m->n_free));
@@ -201,8 +201,8 @@ static int32_t seek_equilibrium(context *c)
         take_over(c);
         moved = 1;
         /* Once every motion is slower than a step, its size says how far the equilibrium is. */
-        small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * c->s.head[S_STEP_SIZE] ? small + 1 : 0;
-        if (h < 1e6 * c->s.head[S_STEP_SIZE]) h *= 4.0;
+        small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * hm_step_size(c->s.head) ? small + 1 : 0;
+        if (h < 1e6 * hm_step_size(c->s.head)) h *= 4.0;
     }
     if (small < 2) return moved ? HOLONOM_NEWTON_DIVERGED : failure;
     return m->n_signals ? make_velocities_consistent(c, 0) : HOLONOM_OK; /* at rest, but for what drivers move */
@@ -240,7 +240,7 @@ static void open_ledger(context *c)
        what stands still, whose places are known to round-off: 1e5 times theirs a step. A mechanism with weight has no such
        floor: where its steps are so short that round-off feeds the energy, energy.error shows it. */
     const double weight = mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at];
-    const double still = hm_square(1e5 * round_off_of_places(c) / head[S_STEP_SIZE]);
+    const double still = hm_square(1e5 * round_off_of_places(c) / hm_step_size(head));
     const double floor = 1e-3 * (weight + fabs(head[S_POTENTIAL_START]));
     for (int32_t a = 0; a < c->n_moving; a++)
         head[S_POTENTIAL_START] -= c->number[m->node_weight_at + a] * dot(gravity, c->s.q + DIM * a);

@@ -243,7 +243,7 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
     static const double weight[] = {48.0, -36.0, 16.0, -3.0}, part = 1e-2;
     enum { POINTS = sizeof weight / sizeof *weight };
     const holonom_model *m = &i->file.model;
-    const double step = part * i->s.head[S_STEP_SIZE];
+    const double step = part * hm_step_size(i->s.head);
     double *now = i->before + i->state_size;
     put_all_aside(i);
     const int32_t status = holonom_begin_moving_on(m, i->numbers, i->state, i->work, POINTS * step);
@@ -433,7 +433,7 @@ void holonom_begin(holonom_instance *i)
 static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
 {
     double *head = i->s.head;
-    const double longest = head[head[S_TOLERANCE] > 0.0 ? S_LONGEST_STEP : S_STEP_SIZE];
+    const double longest = hm_tolerance(head) > 0.0 ? head[S_LONGEST_STEP] : hm_step_size(head);
     head[S_STATUS] = status;
     i->measured = 0;
     if (status != HOLONOM_BAD_STEP) { /* a law that breaks on the way mostly stays broken */

@@ -212,10 +212,12 @@ HM_SELDOM static double sizes_of_summands(const context *c, const kept_motion *x
 }
 
 /* Whether round-off explains an energy that the island at hand lacks, or what it lacks more than at the start of the step: what larger
-   energies have left before does not keep an island from coming to rest. */
+   energies have left before does not keep an island from coming to rest, nor has what stands velocities but those of round-off of
+   places over a step. */
 HM_SELDOM static int is_round_off(const context *c, const kept_motion *x, double excess)
 {
-    return fmin(fabs(excess), fabs(excess - x->lacking)) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x);
+    const double standing = 0.5 * hm_square(round_off_of_places(c) / c->h);
+    return fmin(fabs(excess), fabs(excess - x->lacking)) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x) + standing;
 }
 
 /* Brings momenta of the island at hand back that are kept, by a motion as one rigid body: L is its mass matrix (factor_rigid). */

@@ -2,6 +2,7 @@
 #ifndef HOLONOM_MEASURE_H
 #define HOLONOM_MEASURE_H
 
+#include "coarseness.h"
 #include "contact.h"
 #include "rigid.h"
 #include "runge_kutta.h"
@@ -59,13 +60,13 @@ static void mean_forces(const context *c, const hm_measured *y)
 static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
-    return (m->n_rows || m->n_driven) && c->s.head[S_TOLERANCE] > 0.0 && !is_unilateral(m) && c->s.head[S_MEAN_TIME] != c->t;
+    return (m->n_rows || m->n_driven) && hm_tolerance(c->s.head) > 0.0 && !is_unilateral(m) && c->s.head[S_MEAN_TIME] != c->t;
 }
 
 /* Likewise, as the state asks for them, beginning with those that are there. State and laws stay as they are. */
 HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
 {
-    const double last = c->s.head[S_STEP_SIZE];
+    const double last = hm_step_size(c->s.head);
     context at = rows_at_state(c);
     keep_state(c, c->k.whole_backup);
     take_unknowns(&at);
@@ -216,7 +217,8 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     if (groups & (HOLONOM_MEASURE_CONTACTS & ~HOLONOM_MEASURE_FORCES)) measure_contacts(&c, y);
     if (groups & HOLONOM_MEASURE_ENERGIES) measure_energies(&c, y);
     if (groups & HOLONOM_MEASURE_MOMENTA) measure_momenta(&c, y);
-    const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE], head[S_AS_PAIRS],
+    const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE], head[S_ORDER_IN_USE] == 0.0 ? 0.0 : ends_explicitly(&c) ? 2.0 : 1.0,
+                                head[S_ERROR_ESTIMATE] + hm_error_of_steps(head, head[S_EQUAL_STEPS]), head[S_AS_PAIRS],
                                 loads ? sampling(&c) : 0.0, head[S_COARSENESS], head[S_STATUS]};
     if (loads) memcpy(y->solver, of_solver, sizeof of_solver);
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */

@@ -235,7 +235,7 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
-    const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
+    const int tight = hm_tolerance(head) > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
     if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
         if (head[S_ORDER] <= 2.0) return 0;
@@ -275,8 +275,8 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
                  "times the work foreseen; it alternates or reverses what it should stop; use a damper or torsion_damper instead, make "
                  "its formula smoother, or take ",
            f->text + f->sampled[worst], head[S_TIME], s->sampled[3 * worst + 2]);
-    if (head[S_TOLERANCE] > 0.0) hm_say(text, "a smaller solver.longest_step");
-    else hm_say(text, "steps shorter than solver.step_size = %6g s", head[S_STEP_SIZE]);
+    if (hm_tolerance(head) > 0.0) hm_say(text, "a smaller solver.longest_step");
+    else hm_say(text, "steps shorter than solver.step_size = %6g s", hm_step_size(head));
 }
 
 /* Node whose acceleration changed most in the last pair, in the mass norm. */

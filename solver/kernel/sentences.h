@@ -2,7 +2,7 @@
 #ifndef HOLONOM_SENTENCES_H
 #define HOLONOM_SENTENCES_H
 
-#include "internal.h"
+#include "chosen_steps.h"
 #include "model_file.h"
 #include "text.h"
 

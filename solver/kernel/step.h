@@ -9,7 +9,7 @@
 static inline double usual_length(const context *c)
 {
     const double *head = c->s.head;
-    return head[S_TOLERANCE] > 0.0 ? fmin(head[S_STEP_SIZE], head[S_WANTED]) : head[S_STEP_SIZE];
+    return hm_tolerance(head) > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
 }
 
 /* Round-off of the coordinates in the mass norm. */

@@ -80,7 +80,7 @@ static int is_to_be_cut(const context *c, int32_t status, double h)
 HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, double step)
 {
     double *head = c->s.head;
-    const double rest = step - done, longest = fmin(head[S_STEP_SIZE], head[S_LONGEST_STEP]);
+    const double rest = step - done, longest = fmin(hm_step_size(head), head[S_LONGEST_STEP]);
     const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_STEPPED] = 1.0;

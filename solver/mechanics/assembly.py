@@ -16,7 +16,7 @@ from solver.mechanics.structure import Structure, flat, pointers
 from solver.mechanics.switches import names_of_switches
 from solver.mechanics.tape import CODE, Motion, Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
-from solver.options import OPTIONS
+from solver.options import OPTIONS, tolerance_of
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
 from solver.runtime.layout import (
     FACTORS,
@@ -128,7 +128,7 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
             start_time=scene.experiment.start_time,
             stop_time=scene.experiment.stop_time,
             step_size=scene.experiment.step_size,
-            tolerance=scene.experiment.tolerance or scene.solver.tolerance or None,
+            tolerance=scene.experiment.tolerance or tolerance_of(vars(scene.solver)) or None,
         ),
     )
     model.dependencies = dependencies(scene, structure, known, variables)
@@ -214,7 +214,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
 
 
 def _slots(scene: Scene) -> int:
-    order, adapts = scene.solver.order, scene.solver.tolerance > 0.0
+    order, adapts = scene.solver.order, tolerance_of(vars(scene.solver)) > 0.0
     return SLOTS_OF_TOLERANCE if adapts and not order else SLOTS[order or 2]
 
 

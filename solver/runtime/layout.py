@@ -301,6 +301,7 @@ HEAD = (
     "equal_steps",  # of the run, see coarseness.h
     "errors_seen",  # of those looked at
     "turned", "turning",  # largest turn of a body in one, squared [rad^2], and its node
+    "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
@@ -309,9 +310,11 @@ HEAD = (
     "status",  # of the last step
     "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
     "step_size", "newton_tolerance", "penalty", "max_newton", "max_uzawa", "assemble",
-    "equilibrium", "order", "tolerance", "absolute_tolerance", "longest_step", "rest_speed",
+    "equilibrium", "order", "tolerance", "method", "absolute_tolerance", "longest_step",
+    "rest_speed",
     "rest_time", "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
+    "host_tolerance",  # that the importer of an FMU asks for, or 0
     "input_step", "input_step_before",  # lengths of the last two communication steps
     "unsettled",  # whether contacts and frictions are to be looked at before the next step
 )
@@ -427,8 +430,8 @@ MEASURED = {
     "residual": "2",  # largest of positions and velocities, scaled
     "momentum": "dim",
     "angular_momentum": "turning",  # about the origin
-    "solver": "8",  # Newton iterations, Uzawa updates, substeps, order, as pairs, sampling,
-    # coarseness, status
+    "solver": "10",  # Newton iterations, Uzawa updates, substeps, order, method, error estimate,
+    # as pairs, sampling, coarseness, status
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts

@@ -115,6 +115,9 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
         "uzawa_iterations": "Uzawa updates of the last communication step",
         "substeps": "half steps, and stages of explicit steps, of the last communication step",
         "order_in_use": "order of the last internal step, 0 before it",
+        "method_in_use": "of the last internal step: 1 conserving, 2 explicit, 0 before it",
+        "error_estimate": "estimated error of the run so far, relative to size and speed as a "
+        "tolerance is; 0 where nothing estimates it",
         "as_pairs": "steps of the last communication step taken as pairs of half steps, of order "
         "2, since a damper or friction would have given energy at their order",
         "sampling": "for forces that read the motion: part of their work that they missed, as they "

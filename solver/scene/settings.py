@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field, make_dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
-from solver.options import OPTIONS, Option
+from solver.options import OPTIONS, USUAL_STEP, Option, tolerance_of
 from solver.scene import fields as kind
 from solver.scene.fields import BROKEN, Part, fields_of
 from solver.scene.rules import POSITIVE, Rule
@@ -117,9 +117,8 @@ def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
         given, own = solver if part is SolverSettings else run, fields_of(part)[name].kind
         return reader.constant((table, name), getattr(given, name), default, own.rule, own.unit)
 
-    usual = float(OPTIONS["step_size"].default)
     outer = seconds(Experiment, "experiment", "step_size", 0.0)
-    inner = seconds(SolverSettings, "solver", "step_size", min(usual, outer or usual))
+    inner = seconds(SolverSettings, "solver", "step_size", 0.0)
     if 0.0 < outer < inner:
         message = f"must be at most the communication step {outer:g} s, got {inner:g} s"
         reader.draft.error(("solver", "step_size"), message)
@@ -132,14 +131,15 @@ def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
         reader.draft.error(("experiment", "stop_time"), message)
     tolerance = reader.constant(("experiment", "tolerance"), run.tolerance, 0.0, _TOLERANCE)
     chosen = SolverSettings(**settings)
-    if tolerance and chosen.tolerance == 0.0:
+    if tolerance and not tolerance_of(chosen.__dict__):
         message = "has no effect on steps of fixed length, which this scene has"
         help = f"write tolerance = {tolerance:g} in [solver], which chooses order and steps"
         reader.draft.warn(("experiment", "tolerance"), message, help)
     # Whole internal steps, so that the communication step does not change the motion.
     counts, whole = range(1, MOST_INTERNAL_STEPS + 1), (stop - start) * (1.0 + 1e-9)
-    steps = max((k for k in counts if ROWS * k * inner <= whole), default=1)
-    step = outer or steps * inner
+    usual = inner or USUAL_STEP
+    steps = max((k for k in counts if ROWS * k * usual <= whole), default=1)
+    step = outer or steps * usual
     experiment = Experiment(
         start_time=start, stop_time=stop, step_size=step, tolerance=tolerance or None
     )

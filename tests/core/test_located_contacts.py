@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import solver
+from solver.options import step_of
 from solver.runtime import Integrator
 from solver.runtime.layout import CONTACT, FRICTION, measured_sections
 from tests.contact_scenes import painleve_rod, rocking_block
@@ -61,6 +62,7 @@ def begun(model, **settings: float) -> Integrator:
     run = Integrator(model, log=lambda _: None)
     run.initialise()
     run.state.head["tolerance"] = 0.0
+    run.state.head["step_size"] = step_of(model.settings)
     for name, value in settings.items():
         run.state.head[name] = value
     return run

@@ -42,7 +42,7 @@ def body(
 
 def flight(*parts: str, tolerance: float, stop: float, gravity: float = 0.0) -> Integrator:
     head = f'name = "flight"\ngravity = [0, 0, {-gravity}]\n'
-    tail = f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\n"
+    tail = f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
     run = Integrator(solver.assemble(solver.loads("\n".join((head, *parts, tail)))))
     run.initialise()
     return run
@@ -217,7 +217,7 @@ angular_velocity = {{ body = {spin} }}
 stop_time = 2.0
 """
 STEPS = {
-    "tolerance": "tolerance = 1e-6",
+    "tolerance": "tolerance = 1e-6\nmethod = 'fastest'",
     **{f"order {order}": f"order = {order}\nstep_size = 0.01" for order in (2, 4, 8)},
 }
 

@@ -55,7 +55,7 @@ def test_all_orders_are_open_to_a_tolerance_that_the_scene_did_not_ask_for():
 def test_shorter_communication_steps_choose_lower_orders_and_meet_them_exactly():
     orders = []
     for step in (5.0, 0.05, 0.001):
-        run = swinging(1e-4)
+        run = swinging(1e-4, method="fastest")
         for _ in range(10):
             run.advance(run.time, step)
         assert run.time == pytest.approx(10 * step, abs=1e-15)
@@ -80,7 +80,7 @@ def test_a_step_may_add_what_steps_before_it_have_left():
     # One of 1.13 times the length wanted adds 2.7 times what steps aim at, in order 8 of 12 stages.
     counts = []
     for unspent in (-1.0, 0.0, 1.0):
-        run = swinging(1e-6, order=8)
+        run = swinging(1e-6, order=8, method="fastest")
         run.advance(0.0, 2.0)
         head = run.state.head
         head["unspent"] = unspent
@@ -321,6 +321,7 @@ order = 8
 def test_a_body_whose_momenta_leave_nothing_free_takes_covers():
     """Nothing is left to bring its energy back by but errors below round-off of its summands."""
     run = Integrator(solver.assemble(solver.loads(PINNED)))
+    run["solver.method"] = "fastest"
     for _ in range(20):
         run.advance(run.time, 0.5)
         assert float(run["energy.error"]) < 2e-14  # some 1e-15 in each of 20 steps
@@ -363,7 +364,7 @@ def test_a_spring_that_steps_do_not_resolve_is_not_swung_up(order):
 @pytest.mark.parametrize("order", [0, 8])
 @pytest.mark.parametrize("name", ["andrews", "triangle", "watt", "rolling_disc", "bifilar"])
 def test_steps_that_resolve_springs_are_explicit_and_keep_the_energy(name, order):
-    run = prepared(name, tolerance=1e-5)
+    run = prepared(name, tolerance=1e-5, method="fastest")
     run["solver.order"] = order
     for _ in parts_of(run):
         assert steps_explicitly(run)
@@ -412,6 +413,7 @@ def test_a_spring_that_spins_a_thin_rod_is_followed_in_explicit_steps():
     def places(tolerance: float) -> list[Array]:
         run, found = Integrator(solver.assemble(solver.loads(THIN))), list[Array]()
         run["solver.tolerance"], run["solver.longest_step"] = tolerance, 1e6
+        run["solver.method"] = "fastest"
         for _ in range(20):
             run.advance(run.time, 0.5)
             assert run["energy.error"] < 1e-13
@@ -511,7 +513,7 @@ def test_a_damper_written_as_a_load_moves_as_a_damper_does(tolerance):
 
     def moved(text: str, tolerance: float) -> tuple[float, float]:
         run = Integrator(solver.assemble(solver.loads(text)))
-        run["solver.tolerance"], run["push"] = tolerance, 1.0
+        run["solver.tolerance"], run["push"], run["solver.method"] = tolerance, 1.0, "fastest"
         run.initialise()
         run.state.head["horizon"] = 5.0
         for _ in range(10):
@@ -558,14 +560,22 @@ def through_zero(time: Array) -> Array:
     return (-1.0) ** (lobes + 1) * (free + R * np.cos(turned - 2 * last * lobes - last))
 
 
-@pytest.mark.parametrize(("order", "tolerance"), [(0, 1e-4), (0, 1e-8), (4, 1e-6), (8, 1e-10)])
+@pytest.mark.parametrize(
+    ("method", "order", "tolerance"),
+    [
+        *((m, *x) for m in ("conserving", "fastest") for x in ((0, 1e-4), (0, 1e-8), (4, 1e-6))),
+        ("fastest", 8, 1e-10),  # conserving steps end at 5e-10 of it
+    ],
+)
 @pytest.mark.parametrize("aside", [0.0, 1e-12, 1e-9])
-def test_a_spring_passes_its_length_zero(aside: float, order: int, tolerance: float) -> None:
+def test_a_spring_passes_its_length_zero(
+    aside: float, method: str, order: int, tolerance: float
+) -> None:
     """Its force jumps there, which no order tells: steps are short for a moment, and grow again."""
     run = solver.simulate(
         solver.loads(SPRING.format(aside=aside)),
         step_size=0.05, stop_time=5.0, order=order, tolerance=tolerance,
-        outputs=["A.y", "energy.error"],
+        method=method, outputs=["A.y", "energy.error"],
     )  # fmt: skip
     found, error = run.table.T
     assert np.abs(found).max() == pytest.approx(0.5316, abs=1e-4)

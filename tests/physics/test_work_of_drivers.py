@@ -182,7 +182,7 @@ motor = { type = "position", point = "P", value = ["0.3 + 0.2*t**2", "0.8*sin(2*
 def follow(name: str, tolerance: float, h: float, outputs: list[str]) -> dict[str, Array]:
     """Outputs at every communication step of explicit steps over a second."""
     integrator = solver.Integrator(solver.assemble(solver.loads(SCENES[name])))
-    integrator["solver.tolerance"] = tolerance
+    integrator["solver.tolerance"], integrator["solver.method"] = tolerance, "fastest"
     integrator.initialise()
     found = [[float(integrator[output]) for output in outputs]]
     for _ in range(round(1.0 / h)):
@@ -224,14 +224,25 @@ motor = {{ type = "angle", joint = "j", value = "{value}" }}
 """
 
 
-@pytest.mark.parametrize("tolerance", [0.0, 1e-4, 1e-8])
-@pytest.mark.parametrize(("interpolation", "value"), [("ramp", "u"), ("hold", "u*t")])
+FASTEST = [{"tolerance": x, "method": "fastest"} for x in (1e-4, 1e-8)]
+CONSERVING = [{"tolerance": x} for x in (1e-4, 1e-8)]
+
+
+@pytest.mark.parametrize(
+    ("interpolation", "value", "settings"),
+    [
+        (*way, x)
+        for way in (("ramp", "u"), ("hold", "u*t"))
+        for x in ({"step_size": 0.01}, *FASTEST, *CONSERVING)
+    ],
+)
 def test_a_driver_from_an_input_is_where_the_input_says_and_books_its_work(
-    interpolation, value, tolerance
+    interpolation, value, settings
 ):
     text = LEVER.format(interpolation=interpolation, value=value)
     integrator = solver.Integrator(solver.assemble(solver.loads(text)))
-    integrator["solver.tolerance"] = tolerance
+    for name, setting in settings.items():
+        integrator[f"solver.{name}"] = setting
     integrator.initialise()
     start = float(integrator["energy.total"])
     before = 0.0

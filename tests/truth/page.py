@@ -34,10 +34,11 @@ values that this project did not compute: closed forms, Kane's equations in fewe
 
 * **Errors** are the largest differences at the communication points, over the largest right value of their kind in the
   run: lengths, speeds, turns, forces, torques. Errors of angles are in rad.
-* **A tolerance** of {", ".join(TOLERANCES)} may be exceeded {BEYOND_TOLERANCE:g} times.
+* **A tolerance** of {", ".join(TOLERANCES)} may be exceeded {BEYOND_TOLERANCE:g} times,
+  by the conserving method and by `fastest`.
 * **Equal steps**: with half the step the error falls as the order says. Systems with impacts, friction or laws that jump
   have no such check.
-* **Default**: a run without settings has an error of at most {BY_DEFAULT:g}.
+* **Default**: a run without settings has an error of at most {BY_DEFAULT:g}: its tolerance is 1e-4.
 
 What does not hold today is named with what will mend it. It is tested, too: the test fails as soon as it holds.
 """

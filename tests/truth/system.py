@@ -18,6 +18,7 @@ Values = Mapping[str, Array]
 WRONG = (AssertionError, solver.SceneError, solver.StepError)
 """What a check that fails may raise; all else is a mistake of the corpus."""
 TOLERANCES = ("1e-4", "1e-6", "1e-8")
+FASTEST = tuple(f"fastest {tolerance}" for tolerance in TOLERANCES)
 BEYOND_TOLERANCE = 3.0
 """Largest error over the tolerance that a run may have."""
 BY_DEFAULT = 3e-4

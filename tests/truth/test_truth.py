@@ -10,6 +10,7 @@ from tests.truth.record import RIGHT, different, right_now
 from tests.truth.system import (
     BEYOND_TOLERANCE,
     BY_DEFAULT,
+    FASTEST,
     OF_ORDER,
     ROUND_OFF,
     TOLERANCES,
@@ -35,10 +36,12 @@ def checks(names: Callable[[System], Iterator[str]]) -> pytest.MarkDecorator:
     )  # fmt: skip
 
 
-@checks(lambda _: iter(TOLERANCES))
+@checks(lambda _: iter((*TOLERANCES, *FASTEST)))
 def test_a_run_keeps_its_tolerance(system: System, check: str) -> None:
-    error = system.error(RIGHT[system.name], tolerance=float(check))
-    assert error < system.bounds.get(check, BEYOND_TOLERANCE * float(check))
+    tolerance = check.removeprefix("fastest ")
+    method = "conserving" if check == tolerance else "fastest"
+    error = system.error(RIGHT[system.name], tolerance=float(tolerance), method=method)
+    assert error < system.bounds.get(tolerance, BEYOND_TOLERANCE * float(tolerance))
 
 
 @checks(lambda system: (f"order {order}" for order in system.orders))
@@ -64,7 +67,7 @@ def test_the_corpus_has_right_values_of_each_system() -> None:
 
 def test_marks_name_checks_of_their_system() -> None:
     for system in SYSTEMS:
-        known = {"default", *TOLERANCES, *(f"order {order}" for order in system.orders)}
+        known = {"default", *TOLERANCES, *FASTEST, *(f"order {order}" for order in system.orders)}
         assert known >= {*system.fails, *system.bounds}, system.name
         assert bool(system.bounds) == bool(system.reason), system.name
 

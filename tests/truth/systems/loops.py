@@ -25,7 +25,6 @@ from tests.truth.minimal import (
 from tests.truth.system import Array, System, Values
 from tests.truth.tables import bar, hinge, pinned
 
-DEFAULT = {"default": 46}
 G = 9.81
 
 
@@ -101,7 +100,7 @@ def _four_bar(
     return System(
         name=name, kind="loops", origin="DOP853 in the crank's angle, law of cosines",
         scene=scene, stop=stop, right=right, settings={"assemble": True},
-        **{"fails": DEFAULT, **more},
+        **more,
     )  # fmt: skip
 
 
@@ -187,7 +186,7 @@ def _slider_crank(offset: float, name: str, **more: object) -> System:
     return System(
         name=name, kind="loops", origin="DOP853 in the crank's angle",
         scene=scene, stop=1.5, right=right, settings={"assemble": True},
-        **{"fails": DEFAULT, **more},
+        **more,
     )  # fmt: skip
 
 
@@ -336,7 +335,7 @@ def _five_bar() -> System:
 
     return System(
         name="five_bar_with_a_mass", kind="loops", origin="DOP853 in both cranks' angles",
-        scene=scene, stop=0.6, right=right, settings={"assemble": True}, fails=DEFAULT,
+        scene=scene, stop=0.6, right=right, settings={"assemble": True},
     )  # fmt: skip
 
 
@@ -399,7 +398,7 @@ def _spatial_slider_crank() -> System:
 
     return System(
         name="slider_crank_in_space", kind="loops", origin="DOP853 in the crank's angle",
-        scene=scene, stop=2.0, right=right, settings={"assemble": True}, fails=DEFAULT,
+        scene=scene, stop=2.0, right=right, settings={"assemble": True},
     )  # fmt: skip
 
 
@@ -461,7 +460,7 @@ def _cardan_pair() -> System:
     return System(
         name="universal_joint_of_two_shafts", kind="loops",
         origin="DOP853 in the first angle, tan b = cos(bend) tan a",
-        scene=scene, stop=1.0, right=right, points=20, fails=DEFAULT,
+        scene=scene, stop=1.0, right=right, points=20,
     )  # fmt: skip
 
 

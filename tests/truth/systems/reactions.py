@@ -326,7 +326,7 @@ def _pushed_body() -> System:
     )  # fmt: skip
 
 
-BOTH = {"default": 46, "order 4": 48}
+BOTH = {"order 4": 48}
 FAILS: dict[str, dict[str, int]] = {
     "pull_of_a_pendulum_from_1.2": BOTH,
     "pull_of_a_pendulum_from_2.9": BOTH,

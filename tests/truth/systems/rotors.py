@@ -27,7 +27,7 @@ def _driven(torque: float, inertia: float, brake: float) -> System:
 
     return System(
         name="rotor_with_brake", kind="rotors", origin="closed form: w = T/b (1 - exp(-b t/J))",
-        scene=text, stop=1.0, right=right, fails={"default": 46},
+        scene=text, stop=1.0, right=right,
     )  # fmt: skip
 
 
@@ -58,7 +58,7 @@ def _unbalanced(speed: float, offset: float, inertia: float) -> System:
         name=f"unbalanced_rotor_{speed:g}", kind="rotors",
         origin="closed form: even turning, force m e w^2",
         scene=text, stop=2.0, right=right, internal_step=0.2 / speed,
-        fails={"default": 46, "order 4": 48},
+        fails={"order 4": 48},
     )  # fmt: skip
 
 

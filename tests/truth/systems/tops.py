@@ -57,7 +57,7 @@ def _free(
 
     return System(
         name=name, kind="tops", origin="DOP853 of Euler's equations and quaternions",
-        scene=scene, stop=stop, right=right, fails={"default": 46}, **more,
+        scene=scene, stop=stop, right=right, **more,
     )  # fmt: skip
 
 
@@ -90,7 +90,7 @@ def _symmetric() -> System:
 
     return System(
         name="free_symmetric_body", kind="tops", origin="closed form: precession at L/A",
-        scene=scene, stop=5.0, right=right, fails={"default": 46},
+        scene=scene, stop=5.0, right=right,
     )  # fmt: skip
 
 
@@ -132,7 +132,7 @@ def _heavy(
 
     return System(
         name=name, kind="tops", origin="DOP853 of Euler's equations and quaternions",
-        scene=scene, stop=stop, right=right, **{"fails": {"default": 46}, **more},
+        scene=scene, stop=stop, right=right, **more,
     )  # fmt: skip
 
 
@@ -176,7 +176,7 @@ def _steady() -> System:
 
     return System(
         name="steady_precession", kind="tops", origin="closed form: steady precession",
-        scene=scene, stop=2.0, right=right, internal_step=1e-3, fails={"default": 46},
+        scene=scene, stop=2.0, right=right, internal_step=1e-3,
     )  # fmt: skip
 
 
@@ -223,7 +223,7 @@ def _gimbals() -> System:
 
     return System(
         name="wheel_in_gimbals", kind="tops", origin="DOP853 in the angles of the gimbals",
-        scene=scene, stop=2.0, right=right, internal_step=2e-3, fails={"default": 46},
+        scene=scene, stop=2.0, right=right, internal_step=2e-3,
     )  # fmt: skip
 
 
@@ -234,9 +234,9 @@ SYSTEMS = (
     _heavy("heavy_top", [0.02, 0.02, 0.005], [0, 0, 0.2], 1.1, [0.5, 0.3, 0.0], [0, 0, 40.0], 2.0,
            internal_step=2e-3),
     _heavy("kovalevskaya_top", [0.6, 0.465, 0.165], [0.3, 0, 0], 1.5, [0.4, 0.1, 0.7],
-           [0.5, 2.0, 1.0], 2.0, fails={}),
+           [0.5, 2.0, 1.0], 2.0),
     _heavy("sleeping_top", [0.0011, 0.0011, 0.0004], [0, 0, 0.05], 0.4, [0.002, 0.0, 0.0],
-           [0, 0, 150.0], 2.0, internal_step=5e-4, fails={}),
+           [0, 0, 150.0], 2.0, internal_step=5e-4),
     _heavy("swinging_body", [0.08, 0.05, 0.06], [0.1, -0.05, -0.4], 1.7, [0.9, -0.4, 0.0],
            [0.0, 0.0, 1.5], 3.0),
     _steady(),
