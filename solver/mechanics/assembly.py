@@ -107,7 +107,10 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     tables["input_course"] = array("i", courses)
     variables = tuple(variables_of(scene, table, structure, numbers))
     switches = [*numbers.tape.switches.values()]
-    tables["switch_table"] = flat([x.argument, x.side, x.kind, x.segment, x.motion == Motion.WITH_QUANTITIES] for x in switches)
+    tables["switch_table"] = flat(
+        [x.argument, x.side, x.kind, x.segment, x.motion == Motion.WITH_QUANTITIES]
+        for x in switches
+    )
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))
     model = Model(
         name=scene.name,

@@ -75,7 +75,7 @@ class Parts:
     elements: dict[str, int] = field(default_factory=dict)
     """Element of a force."""
     rubbing: dict[str, tuple[int, float]] = field(default_factory=dict)
-    """Friction that a force has by the sign of a rate, and the sign with which it acts along that."""
+    """Friction of a force with the sign of a rate, and the sign with which it acts along that."""
     contacts: dict[str, list[int]] = field(default_factory=dict)
     """Index among the mechanism's contacts; a stop with both ends has two."""
     compliant: dict[str, list[CompliantContact]] = field(default_factory=dict)

@@ -2,8 +2,8 @@
 
     f = a - c sign(s'),    c > 0,    with s' the rate along which f acts
 
-At s' = 0 the force is any between a - c and a + c. Friction has that law: a velocity row s' = 0 that
-holds up to the preload c, and a force of this size against the slip else.
+At s' = 0 the force is any between a - c and a + c. Friction has that law: a velocity row s' = 0
+that holds up to the preload c, and a force of this size against the slip else.
 """
 
 from __future__ import annotations
@@ -44,7 +44,9 @@ def without_friction(
             continue  # it pushes, or changes in motion: it is left to switch
         if isinstance(size, Expr):
             rows.rule(size, ">=", "the factor of the sign of its rate must not push")
-        row = rows.velocity(Formula(leaf_symbol(0), (mechanism.leaf(rate.index, rate.kind),)), scale)
+        row = rows.velocity(
+            Formula(leaf_symbol(0), (mechanism.leaf(rate.index, rate.kind),)), scale
+        )
         rows.parts.rubbing[rows.name] = len(mechanism.frictions), direction
         normal = ((row,),)  # nothing presses: its coefficient is 0
         mechanism.frictions.append(Friction((row[1],), normal, 0.0, 0.0, size))

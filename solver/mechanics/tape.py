@@ -213,7 +213,7 @@ class Tape:
         opposite = kind == SWITCH_SIGN and len(number.args) == 2
         reverse = self._found(operate("sub", *reversed(number.args)), wanted) if opposite else None  # pyright: ignore[reportArgumentType]
         turned = reverse is not None and (reverse[0], wanted, kind) in self.switches
-        place = reverse[0] if turned else self.compile(difference, wanted)[0]
+        place = (reverse if reverse and turned else self.compile(difference, wanted))[0]
         found = self.switches.get((place, wanted, kind))
         if found is None:
             found = Switch(place, self._new(), kind, wanted, motion, number)

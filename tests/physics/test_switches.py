@@ -49,7 +49,8 @@ CONSTANT = {
     "floor(3.7*t)": [(k / 3.7, min(1, (k + 1) / 3.7), k, 0) for k in range(4)],
     "ceil(3.7*t) - 1": [(k / 3.7, min(1, (k + 1) / 3.7), k, 0) for k in range(4)],
     "sign(sin(7*t))": [(0, TURN, 1, 0), (TURN, 2 * TURN, -1, 0), (2 * TURN, 1, 1, 0)],
-    "1 if 0.5031 < t < 0.5055 else 0": [(0, 0.5031, 0, 0), (0.5031, 0.5055, 1, 0), (0.5055, 1, 0, 0)],
+    "1 if 0.5031 < t < 0.5055 else 0":
+        [(0, 0.5031, 0, 0), (0.5031, 0.5055, 1, 0), (0.5055, 1, 0, 0)],
     "1 if t == 0.5 else 2": [(0, 1, 2, 0)],
     "1 if t > (0.3 if t > 0.7 else 0.8) else 0": [(0, 0.7, 0, 0), (0.7, 1, 1, 0)],
 }  # fmt: skip
@@ -66,7 +67,9 @@ LINEAR = {
 @pytest.mark.parametrize("law", CONSTANT)
 def test_laws_of_the_time_are_met_to_round_off(law, method, step):
     """Forces that stand in between are exact at any order: parabolas are."""
-    assert moved(law, method, stop=1.0, step=step) == pytest.approx(pushed(CONSTANT[law]), abs=3e-15)
+    assert moved(law, method, stop=1.0, step=step) == pytest.approx(
+        pushed(CONSTANT[law]), abs=3e-15
+    )
 
 
 @pytest.mark.parametrize("method", [name for name in METHODS if name != "order 2"])
@@ -74,7 +77,9 @@ def test_laws_of_the_time_are_met_to_round_off(law, method, step):
 def test_kinks_of_the_time_are_met_to_round_off(law, method):
     """Cubics are exact above order 2. At a tolerance that may be taken the error is its part."""
     allowed = 1e-10 if "tolerance" in method else 3e-15
-    assert moved(law, method, stop=1.0, step=0.25) == pytest.approx(pushed(LINEAR[law]), abs=allowed)
+    assert moved(law, method, stop=1.0, step=0.25) == pytest.approx(
+        pushed(LINEAR[law]), abs=allowed
+    )
 
 
 def test_pulses_that_no_step_samples_are_seen():
@@ -101,7 +106,9 @@ def thrown(x, v, a, stop, turn=0.0):
 
 @pytest.mark.parametrize("step", [0.1, 1.0])
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("law", ["-sign(A.x)", "1 if A.x < 0 else -1", "-abs(A.x)/A.x", "-1 - 2*floor(A.x/1e3)"])
+@pytest.mark.parametrize(
+    "law", ["-sign(A.x)", "1 if A.x < 0 else -1", "-abs(A.x)/A.x", "-1 - 2*floor(A.x/1e3)"]
+)
 def test_laws_of_the_motion_are_located_to_round_off(law, method, step):
     found = moved(law, method, stop=3.0, step=step, x=1.0)
     assert found == pytest.approx(thrown(1.0, 0.0, 1.0, 3.0), abs=2e-13)
@@ -139,20 +146,47 @@ def test_a_law_without_a_value_behind_its_switch_ends_a_step_before_it(method):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_force_with_the_sign_of_its_rate_holds(method):
-    """0.5 - 0.8 sign(v) stops 1 m/s after 1/0.3... s: v' = -0.3, x = 1/0.6; it stays there."""
+    """It loses 1 m/s at 0.3 m/s^2, after 10/3 s at x = 5/3, and stays there."""
     found = moved("0.5 - 0.8*sign(A.vx)", method, stop=5.0, step=0.1, v=1.0)
     assert found == pytest.approx((5 / 3, 0.0), abs=1e-12)
 
 
 def test_a_force_with_the_sign_of_another_rate_is_refused_where_it_would_hold():
     """No row along that rate would hold with this force, which acts along x and y."""
-    text = POINT.format(law="0", x=0, v=0.05).replace(
-        '["0", 0]', '["-(1 if A.vx > 0 else -1)", 0]'
-    )
+    text = POINT.format(law="0", x=0, v=0.05).replace('["0", 0]', '["-(1 if A.vx > 0 else -1)", 0]')
     integrator = start(solver.assemble(solver.loads(text)))
     with pytest.raises(solver.StepError, match=r"force 'f': A.vx > 0: .* give it a hysteresis"):
         integrator.advance(0.0, 0.1)
     assert integrator.time == 0.0
+
+
+BALL = """
+name = "ball"
+dimension = 2
+[points]
+A = { position = [0, 1], mass = 1.0, velocity = [1, 0] }
+[contacts]
+floor = { type = "plane", point = "A", axis = [0, 1], restitution = 1.0 }
+[forces]
+w = { type = "force", point = "A", value = ["2 if t > 0.3137 else 0", "-1 if A.y > 0.4 else -3"] }
+"""
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_impacts_and_switches_are_both_located(method):
+    """It falls to 0.4 in sqrt(1.2) s, on to the floor with 3 m/s^2, and comes back as it fell."""
+    ball = start(solver.assemble(solver.loads(BALL)), **METHODS[method])
+    for k in range(40):
+        ball.advance(0.1 * k, 0.1)
+    above, v = math.sqrt(1.2), math.sqrt(1.2 + 6 * 0.4)
+    below = (v - above) / 3
+    late = 4.0 - 2 * above - 2 * below  # it was at 1 m again, and falls anew
+    allowed = 1e-8 if method.startswith("tolerance") else 1e-12
+    assert 0.0 < late < above
+    assert ball["A.y"] == pytest.approx(1.0 - late**2 / 2, abs=allowed)
+    assert ball["A.vy"] == pytest.approx(-late, abs=allowed)
+    assert ball["A.x"] == pytest.approx(4.0 + (4.0 - 0.3137) ** 2, abs=allowed)
+    assert ball["solver.events"] <= 3.0
 
 
 def test_a_force_that_pushes_with_the_sign_of_its_rate_does_not_hold():
