@@ -62,7 +62,7 @@ LINEAR = {
 }
 
 
-@pytest.mark.parametrize("step", [0.05, 0.25, 1.0])
+@pytest.mark.parametrize("step", [0.05, 1.0])
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("law", CONSTANT)
 def test_laws_of_the_time_are_met_to_round_off(law, method, step):
@@ -176,16 +176,16 @@ w = { type = "force", point = "A", value = ["2 if t > 0.3137 else 0", "-1 if A.y
 def test_impacts_and_switches_are_both_located(method):
     """It falls to 0.4 in sqrt(1.2) s, on to the floor with 3 m/s^2, and comes back as it fell."""
     ball = start(solver.assemble(solver.loads(BALL)), **METHODS[method])
-    for k in range(40):
+    for k in range(35):
         ball.advance(0.1 * k, 0.1)
     above, v = math.sqrt(1.2), math.sqrt(1.2 + 6 * 0.4)
     below = (v - above) / 3
-    late = 4.0 - 2 * above - 2 * below  # it was at 1 m again, and falls anew
+    late = 3.5 - 2 * above - 2 * below  # it was at 1 m again, and falls anew
     allowed = 1e-8 if method.startswith("tolerance") else 1e-12
     assert 0.0 < late < above
     assert ball["A.y"] == pytest.approx(1.0 - late**2 / 2, abs=allowed)
     assert ball["A.vy"] == pytest.approx(-late, abs=allowed)
-    assert ball["A.x"] == pytest.approx(4.0 + (4.0 - 0.3137) ** 2, abs=allowed)
+    assert ball["A.x"] == pytest.approx(3.5 + (3.5 - 0.3137) ** 2, abs=allowed)
     assert ball["solver.events"] <= 3.0
 
 
