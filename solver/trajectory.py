@@ -219,7 +219,7 @@ def simulate(
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model)
     by_paper = bool({*PAPER} & options.keys())
-    _check_mesh(options, record_mesh, mesh)
+    _check_mesh(model, options, record_mesh, mesh)
     method = _method(options, inputs or {}) if by_paper else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
@@ -273,8 +273,16 @@ def simulate(
     return reached()
 
 
-def _check_mesh(options: Mapping[str, Any], record_mesh: bool, mesh: Mesh | None) -> None:
+def _check_mesh(
+    model: Model, options: Mapping[str, Any], record_mesh: bool, mesh: Mesh | None
+) -> None:
     """Refuse settings beside a mesh, and a mesh of what takes none."""
+    if record_mesh and model.sizes["n_switches"]:
+        message = (
+            "record_mesh: formulas of this mechanism switch (holonom info lists where), and a mesh "
+            "keeps events of contacts alone; leave record_mesh out, or write them without a switch"
+        )
+        raise OptionError(message)
     if record_mesh and mesh:
         message = "record_mesh: a run that repeats a mesh has that one; leave record_mesh out"
         raise OptionError(message)

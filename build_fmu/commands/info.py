@@ -101,6 +101,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
             for table in ("bodies", "joints", "constraints", "contacts")
         },
         "meshes": model.meshes,
+        "switches": list(dict.fromkeys(model.switches)),
         **asdict(counts),
         "drivers": driver_names(model),
         "prescribed_motions": counts.drivers,
@@ -171,6 +172,7 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("drivers", _names(document["drivers"])),
         ("points", f"{moving}, {counts.supports} fixed{note}"),
         *((kind, _names(names)) for kind, names in forces.items()),
+        *(("switch", name) for name in document["switches"]),
         ("coordinates", f"{counts.coordinates} ({document['dimension']} per point or axis)"),
         ("constraint rows", f"{counts.rows}  of bodies, joints, drivers and formulas"),
         ("redundant rows", _redundancy(counts)),

@@ -6,23 +6,6 @@
 #include "measure.h"
 #include "repeat.h"
 
-/* No polynomial through means and values from before and after a jump. */
-static void start_anew(context *c)
-{
-    c->s.head[S_MEAN_TIME] = INFINITY;
-    c->s.head[S_HELD] = 0.0;
-    forget_halves(c);
-}
-
-/* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
-   there, and stay where its line ends.                                                                          */
-HM_SELDOM static void end_line(const context *c)
-{
-    extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
-    extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
-    c->s.head[S_MEAN_TIME] = INFINITY;
-}
-
 /* Whether an input that is held over a communication step differs. */
 HM_OFTEN int has_jumped(const context *c, const double *before, const double *inputs)
 {
@@ -49,6 +32,7 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     set_laws(&c, c.t, 1);
+    if (has_new_parameters || has_new_inputs) settle_sides(&c, c.t, 1);
     for (int32_t i = 0; i < n_contacts(m) && has_new_parameters; i++) {
         const double now = gap_of(&c, i);
         if (now < before[i] && now < -gap_tolerance(&c)) *gap = now, pressed = row_of(&c, m->contact_row[i]);
@@ -125,38 +109,23 @@ HM_SELDOM static void end_inputs(context *c, double step)
     c->s.head[S_INPUT_STEP] = step;
 }
 
-/* Ramped inputs change their slopes at communication points, and smooth ones after a jump; with them the rates of signals jump.
-   Velocities jump by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work. */
+/* Ramped inputs change their slopes at communication points, and smooth ones after a jump; with them the rates of signals jump. */
 HM_SELDOM static int32_t start_inputs(context *c, double step)
 {
     const holonom_model *m = c->m;
-    double *slope = c->s.inputs_slope, *before = c->k.signal_before, *jump = c->k.signal_rate;
+    double *slope = c->s.inputs_slope;
     int changed = 0;
     for (int32_t i = 0; i < m->n_inputs; i++) {
         const int begins = m->input_course[i] == INPUT_SMOOTH && stands(c, i) && c->s.inputs[i] != c->s.inputs_before[i];
         if (begins) c->s.head[S_MEAN_TIME] = INFINITY; /* no line to before */
         changed |= slope_at_start(c, i, step) != slope[i];
     }
-    if (changed) signal_rates_at(c, c->t, before);
+    if (changed) signal_rates_at(c, c->t, c->k.signal_before);
     for (int32_t i = 0; i < m->n_inputs; i++) {
         slope[i] = slope_at_start(c, i, step);
         if (m->input_course[i] == INPUT_SMOOTH) bend_input(c, i, step);
     }
-    if (!changed || !m->n_signals) return HOLONOM_OK;
-    signal_rates_at(c, c->t, jump);
-    for (int32_t b = 0; b < m->n_signals; b++) jump[b] -= before[b];
-    const double kinetic = kinetic_energy(c, c->k.momentum);
-    stand_still(c);
-    memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
-    row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
-    inertia(c, AT_STATE, c->k.w, c->k.momentum);
-    const int32_t status = solve_at_state(c, NULL);
-    if (status) return status;
-    add_solution(c, c->k.w);
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
-    book(c, S_WORK, kinetic_energy(c, c->k.momentum) - kinetic);
-    start_anew(c);
-    return HOLONOM_OK;
+    return changed && m->n_signals ? jump_with_signals(c) : HOLONOM_OK;
 }
 
 int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step,
@@ -176,8 +145,9 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_halves(&c);
     int32_t status = start_inputs(&c, step);
     set_laws(&c, start, 0);
+    if (m->n_inputs) settle_sides(&c, start, 1); /* slopes tell where inputs go */
     head[S_EVENTS] = 0.0;
-    head[S_STEPPED] = 0.0;
+    head[S_STEPPED] = head[S_SWITCHED] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));
@@ -189,6 +159,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     } else if (!status && is_stepped(&c)) status = cover_stepped(&c, start, 0.0, step);
     else if (!status) status = (hm_tolerance(head) > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
+    if (!status && m->switching) status = end_at_switch(&c, start + step, step);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
     if (!status && m->steep_signals) signals_at(&c, start + step, c.k.signal1);

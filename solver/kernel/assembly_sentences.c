@@ -92,9 +92,9 @@ void hm_say_pressed(hm_text *text, const hm_model_file *f, int32_t row, double g
 /* Names of the sampled loads, each once. */
 static void say_sampled(hm_text *text, const hm_model_file *f)
 {
-    if (!f->header->n_sampled) hm_say(text, "a force");
-    for (uint32_t k = 0; k < f->header->n_sampled; k++) {
-        uint32_t before = 0;
+    if (!f->model.n_sampled) hm_say(text, "a force");
+    for (int32_t k = 0; k < f->model.n_sampled; k++) {
+        int32_t before = 0;
         while (before < k && strcmp(f->text + f->sampled[before], f->text + f->sampled[k])) before++;
         if (before == k) hm_say(text, "%s%s", k ? ", " : "", f->text + f->sampled[k]);
     }

@@ -75,6 +75,7 @@ typedef struct context {
     int form_rows, rows, composites, all_rows, all_composites;
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
+    double stop;        /* next time at which a switch changes, infinite without one; NaN: not known            */
     holonom_watch *watch; /* who may end the start or the step, or NULL                                           */
     holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL                                    */
 } context;
@@ -221,6 +222,8 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->balanced = c->difference = 0.0;
     c->free_part = c->growth = 1.0;
     c->shorter = 0.5;
+    c->stop = NAN;
+    if (m->switching) c->k.watched[0] = INFINITY, c->k.watched[1] = -INFINITY;
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;

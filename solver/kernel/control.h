@@ -7,6 +7,7 @@
 
 #include "estimate.h"
 #include "stepped.h"
+#include "switch_event.h"
 
 enum { MAX_REPEATS = 40 };
 #define JUMP 1e-12 /* of a driver's place, or over it: round-off of ramps is less */
@@ -221,14 +222,21 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         c->damped = is_dissipative(c);
         int32_t status = is_unilateral(c->m) ? stop_before(c, &h) : HOLONOM_OK;
         if (status) return status;
-        const double unswitched = length_to_switch(c, c->t, h);
-        const int ends_at_switch = unswitched < h;
-        h = unswitched;
+        int stops, crossed;
+        status = stop_at_switch(c, c->t, rest, step, &h, &stops);
+        if (status) return status;
+        begin_watched(c, h);
         if (is_unilateral(c->m) && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, h); /* as impacts have left it */
         if (is_unilateral(c->m)) keep_start(c);
         const int tiny = is_unilateral(c->m) && is_short(c, h);
-        status = tiny ? short_piece(c, h) : internal_step(c, h);
-        const int rejected = status ? 1 : tiny ? 0 : judge_step(c, h, step);
+        const step_function take = tiny ? short_piece : internal_step;
+        status = take(c, h);
+        int rejected = status ? 1 : tiny ? 0 : judge_step(c, h, step);
+        if (!rejected || status) {
+            const int is_unjudged = status && !tiny;
+            status = find_switch(c, take, start + done, &h, status, &crossed);
+            rejected = status || (is_unjudged && h > 0.0 && judge_step(c, h, step));
+        }
         half_steps += c->halves;
         failed = status;
         if (rejected) {
@@ -245,18 +253,19 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         }
         repeats = 0;
         bound_across(c);
-        if (ends_at_switch) forget_halves(c);
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
-        if (is_unilateral(c->m) && (status = end_piece(c, start + done, law_time, h, &covered))) {
+        if (is_unilateral(c->m) && h > 0.0 && (status = end_piece(c, start + done, law_time, h, &covered))) {
             if (!may_step_over(status)) return status;
             undo_piece(c, start + done, law_time);
             head[S_WANTED] = 0.5 * h;
             if (is_to_be_cut(c, status, h)) continue;
             return step_over(c, status, start, done, step);
         }
-        if (ends_at_switch && covered == h && mesh_of(c) && last_row(mesh_of(c))[MESH_END] == END_LENGTH) say_end(c, END_SWITCH, -1, 0.0);
+        if (crossed && covered == h && (status = pass_motion(c))) return status;
         done = covered == rest ? step : done + covered;
+        if (stops && !crossed && covered == h) status = pass_time(c, c->stop);
+        if (status) return status;
         follow_energies(c);
     }
     return HOLONOM_OK;
@@ -272,14 +281,20 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
         const double law_time = c->number[c->m->time_at], grid = (floor(done / h + SLIVER) + 1.0) * h;
         const double next = grid > step - SLIVER * h ? step : grid;
         double length = fmin(next - done, cut), covered;
+        int stops = 0, crossed = 0;
         c->t = start + done;
         c->unweighted = 0;
         int32_t status = stop_before(c, &length);
         const double order = c->s.head[S_ORDER_IN_USE];
         if (!status && begins_to_slide(c, &length)) c->s.head[S_ORDER_IN_USE] = 2.0;
         covered = length;
-        if (!status) status = step_piece(c, length);
-        if (!status) status = end_piece(c, start + done, law_time, length, &covered);
+        if (!status) status = stop_at_switch(c, c->t, step - done, step, &length, &stops);
+        if (!status) {
+            begin_watched(c, length);
+            status = find_switch(c, step_piece, c->t, &length, step_piece(c, length), &crossed);
+        }
+        covered = length;
+        if (!status && length > 0.0) status = end_piece(c, start + done, law_time, length, &covered);
         if (status && may_step_over(status)) undo_piece(c, start + done, law_time);
         c->s.head[S_ORDER_IN_USE] = order;
         if (status) {
@@ -289,11 +304,37 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
             return step_over(c, status, start, done, step);
         }
         cut = INFINITY;
+        if (crossed && covered == length && (status = pass_motion(c))) return status;
+        if (stops && !crossed && covered == length && (status = pass_time(c, c->stop))) return status;
         follow_coarseness(c, h);
         const double before = done;
         done = covered == next - done ? next : done + covered;
         if (done > before) stalls = 0;
         else if (++stalls > MOST_CUTS) return HOLONOM_STEP_COLLAPSED; /* a slip stops again and again, in no time */
+    }
+    return HOLONOM_OK;
+}
+
+static int32_t undivided_step(context *c, double h) { return step_halving(c, h, UNDIVIDED); }
+
+/* Covers an equal step of length h from `start`, in a communication step of length `step`, by pieces that end at switches. */
+HM_SELDOM static int32_t cover_between_switches(context *c, double start, double h, double step)
+{
+    double done = 0.0;
+    while (done < h) {
+        double length = h - done;
+        int stops, crossed;
+        c->t = start + done;
+        c->unweighted = 0;
+        int32_t status = stop_at_switch(c, c->t, h - done, step, &length, &stops);
+        if (status) return status;
+        begin_watched(c, length);
+        status = find_switch(c, undivided_step, c->t, &length, undivided_step(c, length), &crossed);
+        if (status) return status;
+        if (crossed) status = pass_motion(c);
+        else if (stops) status = pass_time(c, c->stop);
+        if (status) return status;
+        done = length == h - done ? h : done + length;
     }
     return HOLONOM_OK;
 }
@@ -310,7 +351,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
         c->unweighted = 0;
-        status = step_halving(c, h, UNDIVIDED);
+        status = c->m->switching ? cover_between_switches(c, c->t, h, step) : step_halving(c, h, UNDIVIDED);
         if (!status) follow_coarseness(c, h);
     }
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;

@@ -217,6 +217,7 @@ static void take_initial(context *c)
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
     memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
     c->s.head[S_INPUT_STEP] = c->s.head[S_INPUT_STEP_BEFORE] = 0.0;
+    settle_sides(c, c->t, 0); /* those of the time, for signals */
     signals_at(c, c->t, c->s.signal);
     signal_rates_at(c, c->t, c->k.signal_rate);
     memcpy(c->s.q + DIM * m->n_free, c->s.signal, driven);
@@ -278,6 +279,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     derive_extent(&c);
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
+    settle_sides(&c, head[S_TIME], 0);
     if (blame_signal(&c, c.t, 2)) {
         head[S_AT_FAULT] = c.at_fault;
         return HOLONOM_BAD_DRIVER;
@@ -290,6 +292,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     else if (!status && (m->n_signals || m->fits_velocities)) status = make_velocities_consistent(&c, 1); /* those not given follow */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (watch && watch->is_stopped) return HOLONOM_STOPPED;
+    settle_sides(&c, head[S_TIME], 0); /* where it has come to */
     if (!status) status = first_multipliers(&c);
     if (!status && fastest_rate(&c, c.s.v) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;

@@ -5,6 +5,7 @@
 #include "energy.h"
 #include "ledger.h"
 #include "sensors.h"
+#include "sides.h"
 
 /* Time at part `part` of a step of length h from t, but inside of it, where laws may jump at its ends. */
 static double inside_of_step(double t, double h, double part)
@@ -24,6 +25,7 @@ static void load_inputs(const context *c, double t)
         c->number[m->input_at + i] = m->input_course[i] == INPUT_HELD ? s->inputs[i] : s->inputs_before[i] + moved;
     }
     memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
+    for (int32_t k = 0; k < m->n_switches; k++) c->number[m->switch_table[5 * k + 1]] = s->side[k];
 }
 
 /* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes springs, their stored
@@ -36,66 +38,8 @@ static void set_laws(context *c, double t, int booked)
     c->number[m->time_at] = t;
     if (!m->n_tape_laws) return;
     hm_run_tape(m, c->number, 1);
+    if (m->n_motion_switches) watch_switches(c, t);
     if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
-}
-
-/* Whether an operation has a jump or a kink. */
-static int may_jump(int32_t code)
-{
-    return (code >= T_SIGN && code <= T_NE) || code == T_FLOOR || code == T_CEIL || code == T_MIN || code == T_MAX || code == T_ABS ||
-           code == T_MOD;
-}
-
-/* Side of it on which an operation is; 0 where it has none. */
-static double side_of(const int32_t *op, const double *number)
-{
-    const double a = number[op[2]], b = number[op[3]];
-    if (op[0] == T_MIN || op[0] == T_MAX) return a < b;
-    if (op[0] == T_ABS || op[0] == T_MOD) return op[0] == T_ABS ? a < 0.0 : floor(a / b);
-    return may_jump(op[0]) ? number[op[1]] : 0.0;
-}
-
-/* Whether any operation of the laws has a jump or a kink. */
-HM_SELDOM static int may_switch(const holonom_model *m)
-{
-    const int32_t *op = m->tape + 5 * (int64_t)m->n_tape_parameters;
-    int may = 0;
-    for (int32_t i = 0; i < m->n_tape_laws; i++, op += 5) may |= may_jump(op[0]);
-    return may;
-}
-
-/* Keeps the sides on which the operations of the laws are at time t (kept = 0); or whether one is on another side then. */
-HM_SELDOM static int switches_at(context *c, double t, int kept)
-{
-    const int32_t *op = c->m->tape + 5 * (int64_t)c->m->n_tape_parameters;
-    set_laws(c, t, 0);
-    for (int32_t i = 0; i < c->m->n_tape_laws; i++, op += 5) {
-        const double side = side_of(op, c->number);
-        if (!kept) c->k.jet[2 * op[1]] = side;
-        else if (side != c->k.jet[2 * op[1]]) return 1;
-    }
-    return 0;
-}
-
-#define NO_TIME 1e-9 /* part of a step: a switch as near to an end is at the end */
-
-/* Length of the part of a step of length h from t to the first time at which the laws jump or have a kink, by bisection; h without one.
-   Half steps read laws in their middles alone: they would miss a jump close to an end of a step, and no tolerance would see that. */
-HM_SELDOM static double length_to_switch(context *c, double t, double h)
-{
-    const double law_time = c->number[c->m->time_at];
-    double before = t + NO_TIME * h, after = t + (1.0 - NO_TIME) * h;
-    if (!c->m->time_dependent || !may_switch(c->m)) return h;
-    switches_at(c, before, 0);
-    const int switches = switches_at(c, after, 1);
-    while (switches) {
-        const double middle = before + 0.5 * (after - before);
-        if (!(middle > before && middle < after)) break;
-        if (switches_at(c, middle, 1)) after = middle;
-        else before = middle;
-    }
-    set_laws(c, law_time, 0);
-    return switches ? after - t : h;
 }
 
 /* Signals at time t (n_signals, overwritten). */

@@ -158,6 +158,12 @@ int hm_may_be_steep(const holonom_model *model, const double *numbers, int32_t s
 void hm_stop_jets(const holonom_model *model, int32_t segment, double *jet);
 int32_t hm_run_jets(const holonom_model *model, double *numbers, int32_t segment, double *jet);
 
+/* Ranges of numbers and of their rates, 4 for each in `bounds`: see ranges.c. What a segment of the tape reads has the range of its
+   value after hm_stop_ranges. */
+void hm_set_range(double *bounds, int32_t place, double low, double high, double least, double most);
+void hm_stop_ranges(const holonom_model *model, const double *numbers, int32_t segment, double *bounds);
+void hm_run_ranges(const holonom_model *model, const double *numbers, int32_t segment, double *bounds);
+
 /* Sign that a jet has just after the present: of the first of value, rate and second derivative that is not 0. */
 static inline double hm_sign_after(hm_jet a)
 {
@@ -174,6 +180,9 @@ static inline int hm_falls(hm_jet a) { return hm_sign_after((hm_jet){0.0, a.rate
 double hm_spline(int order, double x, const double *first, const double *last);
 void hm_spline_derivatives(int order, double x, int falls, const double *first, const double *last, double *found);
 double hm_spline_slope(int order, double x0, double x1, const double *first, const double *last);
+
+/* Bounds (2, overwritten) of a spline, or of its derivative of that order, from x = low to high. */
+void hm_spline_range(int order, double low, double high, const double *first, const double *last, double *found);
 
 /* A spline of three coordinates x, or one of its three derivatives; NaN if the table is none. And its mean gradient between
    two places, with sum slope dx the difference of its values; and its jet where x moves; see grid.c.           */

@@ -60,6 +60,7 @@ static int has_sizes(const checker *c)
     const int64_t rows = (int64_t)m->n_form_rows + DIM * (int64_t)m->n_coincidences + m->n_function_rows + m->n_velocity_rows;
     return rows == m->n_rows && m->n_active <= m->n_quantities && m->n_mass_free <= m->n_mass && m->n_slots <= 64 &&
            m->steep_signals <= 1 && m->time_dependent <= 1 && m->variable_potential <= 1 && m->sensing <= 1 && m->fits_velocities <= 1 &&
+           m->switching == (m->n_switches > 0) && m->n_motion_switches <= m->n_switches &&
            DIM * (int64_t)m->n_driven <= m->n_signals;
 }
 
@@ -199,6 +200,10 @@ static int has_tape(const checker *c)
 {
     for (const int32_t *op = c->m->tape; op < c->m->tape + 5 * c->count.n_tape; op += 5)
         if (!within(op + 1, 4, 0, c->m->n_numbers) || !has_table(op[0], op[3], op[4], hm_holds(c->m, op[2], 3))) return 0;
+    for (const int32_t *at = c->m->switch_table; at < c->m->switch_table + 5 * (int64_t)c->m->n_switches; at += 5)
+        if (!within(at, 2, 0, c->m->n_numbers) || !within(at + 2, 1, SWITCH_SIGN, SWITCH_LEVEL + 1) || !within(at + 3, 1, 1, 3) ||
+            !within(at + 4, 1, 0, 2))
+            return 0;
     return within(c->m->mass_node, 2 * (int64_t)c->m->n_mass_free, 0, c->m->n_free);
 }
 

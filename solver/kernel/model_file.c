@@ -37,7 +37,7 @@ static int lay_parts(const char *bytes, hm_model_file *f)
     const uint64_t n_before = N_SIZES + N_OFFSETS + N_TABLES, doubles = S_HEAD + (uint64_t)h->n_numbers;
     const uint64_t need = sizeof *h + 4 * even(h->n_ints) + 8 * doubles + sizeof(hm_variable) * (uint64_t)h->n_variables +
                           sizeof(hm_rule) * (uint64_t)h->n_rules + sizeof(hm_row) * (uint64_t)h->n_rows +
-                          4 * even(h->n_sampled) + h->n_text;
+                          4 * even(h->n_names) + h->n_text;
     if (need > h->length || h->n_ints < n_before || !h->n_text || h->n_text % 8) return 0;
     f->table_length = ints + N_SIZES + N_OFFSETS;
     uint64_t n_ints = n_before;
@@ -56,7 +56,8 @@ static int lay_parts(const char *bytes, hm_model_file *f)
     f->rule = (const hm_rule *)(const void *)(f->variable + h->n_variables);
     f->row = (const hm_row *)(const void *)(f->rule + h->n_rules);
     f->sampled = (const uint32_t *)(const void *)(f->row + h->n_rows);
-    f->text = (const char *)(f->sampled + even(h->n_sampled));
+    f->switches = f->sampled + f->model.n_sampled;
+    f->text = (const char *)(f->sampled + even(h->n_names));
     return !f->text[h->n_text - 1];
 }
 
@@ -96,7 +97,7 @@ static int has_sound_records(const hm_model_file *f)
     }
     for (uint32_t i = 0; i < h->n_rows; i++)
         if (!has_text(f, f->row[i].name) || !has_text(f, f->row[i].detail) || f->row[i].kind >= ROW_KINDS) return 0;
-    for (uint32_t i = 0; i < h->n_sampled; i++)
+    for (uint32_t i = 0; i < h->n_names; i++)
         if (!has_text(f, f->sampled[i])) return 0;
     return options == (f->model.unilateral ? S_HORIZON : S_REST_SPEED) - S_STEP_SIZE; /* those of contacts come last */
 }
@@ -120,7 +121,7 @@ const char *hm_bind(const void *bytes, int64_t length, hm_model_file *f)
     if (m->n_bodies && !HM_BODIES) return "it has rigid bodies, and this library is for models without them";
     if (m->unilateral && !HM_CONTACTS) return "it has contacts or frictions, and this library is for models without them";
     if (m->n_numbers < 0 || (uint32_t)m->n_numbers != h->n_numbers || m->n_rows < 0 || (uint32_t)m->n_rows != h->n_rows ||
-        m->n_sampled < 0 || (uint32_t)m->n_sampled != h->n_sampled || !hm_is_consistent(m, f->table_length) ||
+        m->n_sampled < 0 || m->n_switches < 0 || (int64_t)m->n_sampled + m->n_switches != h->n_names || !hm_is_consistent(m, f->table_length) ||
         !has_sound_records(f))
         return "an index leads beyond what it points into";
     return NULL;

@@ -2,7 +2,7 @@
    and solver/runtime/layout.py declares the records.
 
    header | int32: sizes, offsets, lengths of the tables, tables, 0 to an even count | doubles: settings (the head of a state),
-   numbers | variables | rules | rows | uint32: names of the sampled loads, 0 to an even count | texts, each ends with 0, filled to
+   numbers | variables | rules | rows | uint32: names of the sampled loads and switches, 0 to an even count | texts, each ends with 0, filled to
    8 bytes | JSON that only Python reads. Texts are given by their offset. */
 #ifndef HOLONOM_MODEL_FILE_H
 #define HOLONOM_MODEL_FILE_H
@@ -19,7 +19,7 @@ typedef struct hm_model_file {
     const hm_variable *variable;
     const hm_rule *rule;
     const hm_row *row;
-    const uint32_t *sampled;
+    const uint32_t *sampled, *switches;
     const char *text;
 } hm_model_file;
 

@@ -1,7 +1,7 @@
 /* Repeats the mesh of a run with other numbers: each internal step as the recorded one was taken, of a length that is a smooth function of
    the numbers.
 
-   Steps are as long as they were, until an event or a switch of laws comes sooner or later. The steps from the last such point, or from the
+   Steps are as long as they were, until an event comes sooner or later. The steps from the last such point, or from the
    communication point before, to that one are then longer or shorter by one factor: that at which its function has the value which the
    recorded step has left of it. Those from there to the communication point take up the difference. No step is judged: a motion that
    changes its contacts in another order is refused. */
@@ -16,7 +16,6 @@ enum { MOST_TRIED = 40 };
 #define ROUND_OFF_VALUE 10.0 /* times what counts as zero: gaps of short pieces are not told more exactly */
 #define FIRST_SHORTER 0.01 /* likewise where steps beyond the event fail */
 #define MOST_FACTOR 4.0   /* of lengths, and its inverse */
-#define REACH 1.25        /* times the recorded length: how far on a switch is looked for */
 
 /* Steps between two points that the mesh keeps: rows from first to last, which begin at `begin` now, `factor` times as long; `end` is their
    end, or NAN where the last one is as long as that tells. */
@@ -81,16 +80,15 @@ static int32_t look_for_events(context *c, double t, double law_time, double h)
 /* Takes the steps of a piece; with `looks` events are looked for in those that had none. */
 static int32_t take_piece(context *c, const mesh_piece *x, int looks)
 {
-    const int same = is_as_recorded(x), tight = c->s.head[S_TOLERANCE] > 0.0;
+    const int same = is_as_recorded(x), tight = hm_tolerance(c->s.head) > 0.0;
     for (const double *row = x->first; row <= x->last; row += MESH_SIZE) {
         const double law_time = c->number[c->m->time_at];
         const double t = same ? row[MESH_TIME] : x->begin + x->factor * (row[MESH_TIME] - x->first[MESH_TIME]);
-        const int is_last = row == x->last, is_located = row[MESH_END] > END_SWITCH;
+        const int is_last = row == x->last, is_located = row[MESH_END] > END_LENGTH;
         const double h = !same && is_last && x->end == x->end ? x->end - t : x->factor * row[MESH_LENGTH];
         if (is_stopped(c)) return HOLONOM_STOPPED;
         if (row[MESH_TAKEN] == TAKEN_STEPPED) return HOLONOM_MESH_STEPPED;
         if (!(h > 0.0) || modes_of(c) != row[MESH_MODES]) return HOLONOM_MESH_EVENTS;
-        if (looks && tight && row[MESH_END] != END_SWITCH && length_to_switch(c, t, h) < h) return HOLONOM_MESH_EVENTS;
         c->t = t;
         int32_t status = take_again(c, row, h);
         if (!status && looks && is_unilateral(c->m) && !is_located) status = look_for_events(c, t, law_time, h);
@@ -168,20 +166,8 @@ static int32_t change_contacts(context *c, const double *row)
     c->event = row[MESH_END] == END_EVENT ? (int32_t)row[MESH_FUNCTION] : -1;
     int32_t status = change_modes(c);
     if (!status) status = settle(c);
-    if (!status && c->s.head[S_TOLERANCE] > 0.0) follow_energies(c);
+    if (!status && hm_tolerance(c->s.head) > 0.0) follow_energies(c);
     return status;
-}
-
-/* Finds where a piece ends at its switch. */
-static int32_t meet_switch(context *c, mesh_piece *x, double longest)
-{
-    const double own = x->last[MESH_LENGTH], length = fmin(REACH * recorded_length(x), longest);
-    if (is_as_recorded(x) && length_to_switch(c, x->last[MESH_TIME], REACH * own) == own) return HOLONOM_OK;
-    const double found = length_to_switch(c, x->begin, length);
-    if (!(found < length)) return HOLONOM_MESH_EVENTS;
-    x->factor = found / recorded_length(x);
-    x->end = x->begin + found;
-    return HOLONOM_OK;
 }
 
 /* Whether a row has no more than round-off of the time: it repeats an event, which need not happen so often now. */
@@ -201,9 +187,8 @@ HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
         row = x.last + MESH_SIZE;
         if (is_no_time(x.first) && modes_of(c) != x.first[MESH_MODES]) continue;
         if (ends == END_LENGTH && later != 0.0) x.factor = longest / (end - x.first[MESH_TIME]), x.end = end;
-        if (ends == END_SWITCH) status = meet_switch(c, &x, longest);
-        if (!status) status = ends > END_SWITCH ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
-        if (!status && ends > END_SWITCH) status = change_contacts(c, x.last);
+        if (!status) status = ends > END_LENGTH ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
+        if (!status && ends > END_LENGTH) status = change_contacts(c, x.last);
         if (!is_as_recorded(&x)) later += (x.factor - 1.0) * recorded_length(&x);
     }
     return status;

@@ -58,6 +58,12 @@ const char *hm_about_step(int32_t status)
         return "contacts of the run whose mesh is repeated change at the ends of half steps, and no event is located (solver.stepped is 1); "
                "repeat a run with solver.contact_mode located that ends before";
 #endif
+    case HOLONOM_LAW_SWITCHES:
+        return "it switches more than 1000 times in this communication step; if it goes forth and back without end, give it a hysteresis, or "
+               "a slope in the place of the jump, as min(max(20*x, -1), 1) has for sign(x); a force that rubs holds where it is written "
+               "with the sign of the rate along which it acts";
+    case HOLONOM_SIGNAL_JUMPS:
+        return "what it drives would jump to another place in this communication step; let its value go there smoothly, over some time";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
@@ -201,7 +207,8 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
     const int32_t fault = is_sure || lacks_solution(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
     if (lacks_solution(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
-    if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
+    if (status == HOLONOM_LAW_SWITCHES || status == HOLONOM_SIGNAL_JUMPS) hm_say(text, "%s: ", f->text + f->switches[fault]);
+    else if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
     else if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
     else if (fault - n_rows < f->model.n_free) say_fault_node(text, f, "near ", fault - n_rows);
     else

@@ -106,3 +106,39 @@ double hm_spline_slope(int order, double x0, double x1, const double *first, con
     }
     return length != 0.0 ? change / length : row_slope(row + ROW * to.row, order, to.x, to.x);
 }
+
+/* Bounds of a derivative of a row between u0 and u1, from its beginning: by Taylor's series about the middle. */
+static void widen_by_row(const double *row, int order, double x0, double x1, double *found)
+{
+    const double middle = 0.5 * (x0 + x1), half = 0.5 * (x1 - x0);
+    double way = 1.0, wide = 0.0;
+    const double value = value_in_row(row, order, middle);
+    for (int j = 1; j <= DEGREE; j++) {
+        way *= half / j;
+        wide += way * fabs(value_in_row(row, order + j, middle));
+    }
+    if (!(value - wide >= found[0])) found[0] = value - wide;
+    if (!(value + wide <= found[1])) found[1] = value + wide;
+}
+
+void hm_spline_range(int order, double low, double high, const double *first, const double *last, double *found)
+{
+    const double *row = first + 1, period = *first;
+    const int32_t count = (int32_t)((last - first) / ROW);
+    found[0] = INFINITY, found[1] = -INFINITY;
+    if (!(low > -INFINITY && high < INFINITY)) {
+        found[0] = -INFINITY, found[1] = INFINITY;
+        return;
+    }
+    const spot from = spot_of(low, row, count, period), to = spot_of(high, row, count, period);
+    const double turns = to.turns - from.turns;
+    for (int32_t k = 0; k < count; k++) { /* rows of the last period come first where it is another one */
+        const double begin = k ? row[ROW * k] : -INFINITY, end = k + 1 < count ? row[ROW * (k + 1)] : INFINITY;
+        const int is_before = turns > 0.0 && k >= from.row && k + 1 < count, is_behind = turns > 0.0 && k > 0 && k <= to.row;
+        const double x0 = turns > 1.0 ? begin : fmax(begin, from.x), x1 = turns > 1.0 ? end : fmin(end, to.x);
+        if (turns == 0.0 && k >= from.row && k <= to.row) widen_by_row(row + ROW * k, order, x0, x1, found);
+        if (turns > 1.0 && k > 0 && k + 1 < count) widen_by_row(row + ROW * k, order, begin, end, found);
+        if (turns == 1.0 && is_before) widen_by_row(row + ROW * k, order, fmax(begin, from.x), end, found);
+        if (turns == 1.0 && is_behind) widen_by_row(row + ROW * k, order, begin, fmin(end, to.x), found);
+    }
+}

@@ -8,6 +8,7 @@
 
 #include "active_contacts.h"
 #include "estimate.h"
+#include "switches.h"
 #include "velocity_stage.h"
 
 enum { MOST_DIVISIONS = 7 }; /* of a half step that fails */
@@ -91,6 +92,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
         c->t = start + done + h * (double)i;
         c->unweighted = 0;
         begin_halves(c, 2);
+        settle_sides(c, c->t, 1); /* no switch is located, either */
         status = is_stopped(c) ? HOLONOM_STOPPED : stepped_half(c, 0.5 * h, 0, 0);
         if (!status) status = stepped_half(c, 0.5 * h, 1, 0);
         if (status) break;

@@ -13,7 +13,8 @@ from solver.mechanics.outputs import named
 from solver.mechanics.parts import Parts
 from solver.mechanics.sensors import Sensors
 from solver.mechanics.structure import Structure, flat, pointers
-from solver.mechanics.tape import CODE, Numbers, Segment
+from solver.mechanics.switches import names_of_switches
+from solver.mechanics.tape import CODE, Motion, Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS, tolerance_of
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
@@ -96,13 +97,20 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     sections = sections_of(scene, structure)
     mechanism = parts.mechanism
     signals = [*mechanism.driven_signals, *mechanism.signals]
-    numbers = Numbers(sections, signals, known.meaning)
+    inputs = enumerate(scene.inputs.values())
+    moving = [place for place, x in inputs if x.interpolation != "hold"]
+    numbers = Numbers(sections, signals, known.meaning, moving)
     tables = structure.tables() | eliminations(structure) | _functions(structure, numbers)
     places = map(numbers.place, mechanism.rule_numbers)
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
     courses = (INPUT_COURSES.index(x.interpolation) for x in scene.inputs.values())
     tables["input_course"] = array("i", courses)
     variables = tuple(variables_of(scene, table, structure, numbers))
+    switches = [*numbers.tape.switches.values()]
+    tables["switch_table"] = flat(
+        [x.argument, x.side, x.kind, x.segment, x.motion == Motion.WITH_QUANTITIES]
+        for x in switches
+    )
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))
     model = Model(
         name=scene.name,
@@ -115,6 +123,7 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
         rules=rules,
         rows=tuple(row.row for row in structure.multipliers),
         sampled=tuple(name for _, _, name in structure.sampled),
+        switches=names_of_switches(parts, switches),
         forces={name: force.type for name, force in scene.forces.items()},
         meshes=parts.meshes,
         settings=_settings(scene, unilateral=bool(structure.sizes["unilateral"])),
@@ -240,5 +249,10 @@ def sizes_of(
         "n_lu_values": tables["lu_ptr"][-1],
         **{f"n_{x}_values": (tables[f"{x}_lu_ptr"] or (0,))[-1] for x in FACTORS},
         "n_slots": _slots(scene),
+        "n_switches": len(tape.switches),
+        "switching": int(bool(tape.switches)),
+        "n_motion_switches": sum(
+            x.motion is Motion.WITH_QUANTITIES for x in tape.switches.values()
+        ),
     }
     return {name: known[name] for name in SIZES}

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import formula, leaf_symbol, sensed
 from solver.mechanics.frames import RigidFrame
-from solver.mechanics.mechanism import BodyMoment, Element, Formula, Leaf, Load, Moment
-from solver.mechanics.parts import JointParts
-from solver.mechanics.rows import Rows
+from solver.mechanics.mechanism import BodyMoment, Element, Formula, Leaf, Load, Moment, Scale
+from solver.mechanics.parts import AXES, JointParts
+from solver.mechanics.rows import METRES, RADIANS, Rows
+from solver.mechanics.rubbing import without_friction
 from solver.mechanics.vectors import Vector, dot
 from solver.runtime.layout import LEAF_VALUE
 from solver.scene import (
@@ -90,14 +93,18 @@ def add_twist(
         case TorsionDamper():
             _element(rows, Element(angle, damping=sensed(parts, force.damping)))
         case JointTorque():
-            (drive,), sampled = _value(rows, (force.value,))
+            slips = _slips_of_joint(rows, force.joint)
+            (drive,), sampled = _value(rows, (force.value,), (slips,), RADIANS)
             _element(rows, Element(angle, drive=drive, sampled=sampled))
 
 
 def add_load(rows: Rows, force: Force, _: JointParts) -> None:
     """Add a force on a place."""
     mechanism, parts = rows.mechanism, rows.parts
-    value, sampled = _value(rows, force.value)
+    name, turns = force.point.point or "", force.axes == "body"
+    free = force.point.at is not None or turns
+    slips = [{} if free else {f"{name}.v{axis}": 1.0} for axis in AXES[: mechanism.dim]]
+    value, sampled = _value(rows, force.value, slips, METRES)
     axes = None
     if force.axes == "body":
         frame = parts.frames.get((force.point.point or "").partition(".")[0])
@@ -109,7 +116,9 @@ def add_load(rows: Rows, force: Force, _: JointParts) -> None:
 def add_torque(rows: Rows, force: Torque, _: JointParts) -> None:
     """Add a torque on a body."""
     mechanism, parts = rows.mechanism, rows.parts
-    value, sampled = _value(rows, force.value if isinstance(force.value, tuple) else (force.value,))
+    slips = {f"{force.body}.angular_velocity": 1.0} if mechanism.dim == 2 else {}
+    given = force.value if isinstance(force.value, tuple) else (force.value,)
+    value, sampled = _value(rows, given, [slips] * len(given), RADIANS)
     frame = parts.frames.get(force.body)
     if isinstance(frame, RigidFrame) and mechanism.dim == 3:
         moment = BodyMoment(frame.directors[0], value, force.axes == "body", sampled)
@@ -119,13 +128,30 @@ def add_torque(rows: Rows, force: Torque, _: JointParts) -> None:
     mechanism.moments.append(Moment(mechanism.form(arm, arm)[0], value, sampled))
 
 
-def _value(rows: Rows, value: tuple[Number, ...]) -> tuple[Vector, str]:
+def _slips_of_joint(rows: Rows, joint: str) -> dict[str, float]:
+    """Names of the rates along which a torque about a joint acts, with its sign."""
+    slips = {f"{joint}.angular_velocity": 1.0}
+    bodies = getattr(rows.parts.scene.joints[joint], "bodies", (None, None))
+    if rows.mechanism.dim == 2 and None in bodies:
+        first, second = bodies
+        slips[f"{second or first}.angular_velocity"] = 1.0 if first is None else -1.0
+    return slips
+
+
+def _value(
+    rows: Rows, value: tuple[Number, ...], slips: Sequence[Mapping[str, float]], scale: Scale
+) -> tuple[Vector, str]:  # fmt: skip
     """Return a value with sensors for its quantities, and the name of its force if it has any.
+
+    What rubs, by the sign of a rate along which it acts, becomes friction.
 
     Components without quantities must be finite at the start; the others are not known before the
     first step, which fails where they are not.
     """
-    found = tuple(sensed(rows.parts, number) for number in value)
+    found = tuple(
+        sensed(rows.parts, without_friction(rows, number, own, scale))
+        for number, own in zip(value, slips, strict=True)
+    )
     known = [x for x in found if not any(name.startswith("#") for name in symbols(x))]
     rows.finite(known, "value")
     return found, rows.title if len(known) < len(found) else ""

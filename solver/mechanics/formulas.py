@@ -129,7 +129,9 @@ def sensed(parts: Parts, number: Number) -> Number:
             return part if found is None else found
         parts.mechanism.use(found.index)
         parts.mechanism.sensing = True
-        return symbol(f"#{'value' if found.kind == LEAF_VALUE else 'rate'} {found.index}")
+        sensor = symbol(f"#{'value' if found.kind == LEAF_VALUE else 'rate'} {found.index}")
+        parts.mechanism.sensed[str(sensor)] = str(part)
+        return sensor
 
     return rewritten(number, replace)
 

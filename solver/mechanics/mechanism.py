@@ -224,6 +224,8 @@ class Mechanism:
     rules: list[Rule] = field(default_factory=list)
     rule_numbers: list[Number] = field(default_factory=list)
     sensing: bool = False
+    sensed: dict[str, str] = field(default_factory=dict)
+    """Names of the quantities that sensors read, by the symbols of these."""
     _forms: dict[tuple[Combination, Combination], int] = field(default_factory=dict)
     _quantities: dict[Quantity, int] = field(default_factory=dict)
     _fixed: dict[tuple[int, Vector], int] = field(default_factory=dict)

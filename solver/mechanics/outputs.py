@@ -200,7 +200,11 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     if isinstance(force, Potential):
         return {"energy": force.value}
     torque = Ref("element_force", parts.elements[name])
-    return {"torque": -1.0 * sensors.value(torque) if isinstance(force, JointTorque) else torque}
+    if not isinstance(force, JointTorque):
+        return {"torque": torque}
+    rubs, sign = parts.rubbing.get(name, (None, 0.0))
+    friction = 0.0 if rubs is None else sign * sensors.value(Ref("friction", rubs, 0))
+    return {"torque": friction - sensors.value(torque)}
 
 
 def _tension(

@@ -74,6 +74,8 @@ class Parts:
     """Driver of each driven point, and the path that it prescribes."""
     elements: dict[str, int] = field(default_factory=dict)
     """Element of a force."""
+    rubbing: dict[str, tuple[int, float]] = field(default_factory=dict)
+    """Friction of a force with the sign of a rate, and the sign with which it acts along that."""
     contacts: dict[str, list[int]] = field(default_factory=dict)
     """Index among the mechanism's contacts; a stop with both ends has two."""
     compliant: dict[str, list[CompliantContact]] = field(default_factory=dict)

@@ -4,17 +4,22 @@ A tape is scalar operations on that vector, in four segments: what depends on fi
 alone; what forces also need of time, inputs, tunable parameters and sensors in the middle of a
 step; the signals at its end; and what outputs need of the measurements. All may use the results of
 the first one and none those of another. Equal subexpressions of a segment are computed once.
+
+Laws and signals that jump or have a kink are smooth in pieces. What decides between these, such as
+t - 0.6 of ``1 if t < 0.6 else -1``, is the argument of a switch; the operation reads on which side
+that is, and the core changes the side where a step ends at it (``solver/kernel/switches.h``).
 """
 
 from __future__ import annotations
 
 from array import array
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import IntEnum
+from typing import NamedTuple
 
-from solver.runtime.layout import CODES, OFFSETS
+from solver.runtime.layout import CODES, OFFSETS, SWITCH_LEVEL, SWITCH_SIGN
 from solver.scene import Expr, Number
-from solver.scene.expression import Curve, Grid, Operand
+from solver.scene.expression import Curve, Grid, Operand, operate, symbol
 
 CODE = {name: code for code, name in enumerate(CODES)}
 
@@ -28,6 +33,67 @@ class Segment(IntEnum):
     OUTPUTS = 3
 
 
+class Motion(IntEnum):
+    """Why a number changes within a communication step."""
+
+    STANDS = 0
+    WITH_TIME = 1
+    WITH_QUANTITIES = 2
+
+
+MOTION = {"time": Motion.WITH_TIME, "sensor": Motion.WITH_QUANTITIES}
+MOTION["sensor_rate"] = Motion.WITH_QUANTITIES
+"""Of the numbers of a section; inputs move with the time unless they are held."""
+COMPARISONS = ("lt", "le", "gt", "ge", "eq", "ne")
+SWITCHING = frozenset({*COMPARISONS, "sign", "abs", "min", "max", "floor", "ceil", "mod"})
+"""Operations that jump or have a kink."""
+
+
+class Switch(NamedTuple):
+    """The places of the argument of what jumps or has a kink and of its side, and what does so."""
+
+    argument: int
+    side: int
+    kind: int
+    segment: Segment
+    motion: Motion
+    operation: Expr
+
+
+def argument_of(number: Expr) -> Number:
+    """Return what has another sign, or is above another whole number, where an operation switches.
+
+    Of a comparison, min or max it is the difference.
+    """
+    x, y = (number.args[0], number.args[-1])
+    if number.op == "mod":
+        return operate("div", x, y)  # pyright: ignore[reportArgumentType]
+    if number.op == "ceil":
+        return operate("neg", x)  # pyright: ignore[reportArgumentType]
+    return x if len(number.args) == 1 else operate("sub", x, y)  # pyright: ignore[reportArgumentType, reportReturnType]
+
+
+def on_side(number: Expr, side: Number, sign: Number) -> Number:
+    """Return an operation as it is on a side of its switch; `sign` is that of its difference."""
+    x, y = (number.args[0], number.args[-1])
+    match number.op:
+        case "sign":
+            return sign
+        case "abs":
+            return operate("mul", sign, x)  # pyright: ignore[reportArgumentType]
+        case "min" | "max":
+            first = operate("le" if number.op == "min" else "ge", sign, 0.0)
+            chosen = operate("select", first, x, y)  # pyright: ignore[reportArgumentType]
+            return operate("select", operate("ne", side, side), side, chosen)  # hands a NaN on
+        case "floor":
+            return side
+        case "ceil":
+            return operate("neg", side)
+        case "mod":
+            return operate("sub", x, operate("mul", side, y))  # pyright: ignore[reportArgumentType]
+    return operate(number.op, sign, 0.0)
+
+
 class Tape:
     """Compiler of expressions.
 
@@ -38,15 +104,23 @@ class Tape:
         Number that it stands for.
     first : int
         First free place in the vector of numbers.
+    motion : mapping, optional
+        Of the numbers that symbols stand for, by their places; others stand still.
     """
 
     def __init__(
         self,
         symbols: Callable[[str], tuple[int, Segment] | Number],
         first: int,
+        motion: Mapping[int, Motion] | None = None,
     ) -> None:
         self._symbols = symbols
         self._first = first
+        self._motion: dict[int, Motion] = dict(motion or {})
+        self.switches: dict[tuple[int, Segment, int], Switch] = {}
+        """By argument, segment and kind; each depends on those before it alone."""
+        self._sides: dict[str, int] = {}
+        """Places of the sides, by their symbols."""
         self._known: dict[tuple[Operand, Segment], tuple[int, Segment]] = {}
         self.operations: dict[Segment, list[int]] = {segment: [] for segment in Segment}
         self.constants: dict[int, float] = {}
@@ -95,7 +169,7 @@ class Tape:
             return []
         if number.op in ("symbol", "call"):
             self.used[wanted].add(name := str(number))
-            meaning = self._symbols(name)
+            meaning = self._meaning(name)
             return [] if isinstance(meaning, tuple) else [meaning]
         return [arg for arg in number.args if not isinstance(arg, str)]
 
@@ -109,12 +183,16 @@ class Tape:
             self.constants.update(zip(places, content, strict=True))
             return places[0], Segment.PARAMETERS
         if number.op in ("symbol", "call"):
-            found = self._symbols(str(number))
+            found = self._meaning(str(number))
             if not isinstance(found, tuple):
                 return arguments[0]
             return found if found[1] is Segment.PARAMETERS else (found[0], wanted)
         segment = max(segment for _, segment in arguments)
         places = [place for place, _ in arguments]
+        if number.op in SWITCHING and segment in (Segment.LAWS, Segment.SIGNALS):
+            motion = max(self._motion.get(place, Motion.STANDS) for place in places)
+            if motion is not Motion.STANDS:
+                return self._switched(number, wanted, motion)
         if isinstance(number.args[-1], Grid):  # its coordinates stand one behind the other
             copies = [self._new() for _ in places[:-1]]
             for copied, place in zip(copies, places, strict=False):
@@ -124,7 +202,28 @@ class Tape:
         self._emit(segment, number.op, target, padded(places, number))
         return target, segment
 
+    def _meaning(self, name: str) -> tuple[int, Segment] | Number:
+        side = self._sides.get(name)
+        return self._symbols(name) if side is None else (side, Segment.LAWS)
+
+    def _switched(self, number: Expr, wanted: Segment, motion: Motion) -> tuple[int, Segment]:
+        """Compile an operation that jumps or has a kink, as it is on the side of its switch."""
+        kind = SWITCH_LEVEL if number.op in ("floor", "ceil", "mod") else SWITCH_SIGN
+        difference = argument_of(number)
+        opposite = kind == SWITCH_SIGN and len(number.args) == 2
+        reverse = self._found(operate("sub", *reversed(number.args)), wanted) if opposite else None  # pyright: ignore[reportArgumentType]
+        turned = reverse is not None and (reverse[0], wanted, kind) in self.switches
+        place = (reverse if reverse and turned else self.compile(difference, wanted))[0]
+        found = self.switches.get((place, wanted, kind))
+        if found is None:
+            found = Switch(place, self._new(), kind, wanted, motion, number)
+            self.switches[place, wanted, kind] = found
+            self._sides[f"#side {found.side}"] = found.side
+        side = symbol(f"#side {found.side}")
+        return self.compile(on_side(number, side, -side if turned else side), wanted)
+
     def _emit(self, segment: Segment, op: str, target: int, places: list[int]) -> None:
+        self._motion[target] = max(self._motion.get(place, Motion.STANDS) for place in places)
         self.operations[segment].extend((CODE[op], target, *places))
 
     def write(self, target: int, number: Operand, wanted: Segment = Segment.LAWS) -> Segment:
@@ -162,6 +261,8 @@ class Numbers:
         Prescribed values, written to the section ``signal``.
     symbols : callable
         Returns what a symbol of an expression means: (section, place, Segment) or a Number.
+    moving : iterable of int
+        Inputs that move within a communication step.
     """
 
     def __init__(
@@ -169,6 +270,7 @@ class Numbers:
         sections: Mapping[str, Sequence[Number]],
         signals: Sequence[Number],
         symbols: Callable[[str], tuple[str, int, Segment] | Number],
+        moving: Iterable[int] = (),
     ) -> None:
         assert tuple(sections) == tuple(OFFSETS)
         self.offsets: dict[str, int] = {}
@@ -189,7 +291,13 @@ class Numbers:
             section, place, segment = meaning
             return self.offsets[section] + place, segment
 
-        self.tape = Tape(place_of, len(self.values))
+        motion = {
+            self.offsets[section] + place: moves
+            for section, moves in MOTION.items()
+            for place in range(len(sections[section]))
+        }
+        motion |= {self.offsets["input"] + place: Motion.WITH_TIME for place in moving}
+        self.tape = Tape(place_of, len(self.values), motion)
         self.segment_of: dict[str, Segment] = {}
         """Latest segment that writes to each section."""
         for name, found in formulas.items():

@@ -83,6 +83,8 @@ class Status(IntEnum):
     MESH_EVENTS = 19  # contacts or laws change in another order than in the recorded run
     MESH_METHODS = 20  # a step cannot be taken as it was in the recorded run
     MESH_STEPPED = 21  # the recorded run has steps whose contacts change without being located
+    LAW_SWITCHES = 22  # a law changes sides more often in a communication step than it may
+    SIGNAL_JUMPS = 23  # the value of a driver or constraint jumps
 
 
 def is_double(value: object) -> bool:

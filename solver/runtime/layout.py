@@ -94,6 +94,9 @@ SIZES = (
     "n_hit_rows",  # most rows of an impact
     "n_hit_forces",  # multipliers by which joints rub in impacts
     "unilateral",  # 1: there are contacts or frictions
+    "n_switches",  # conditions and kinks of laws and signals that change with the motion or time
+    "switching",  # 1: there are some
+    "n_motion_switches",  # of these, how many read quantities
 )
 """Integers of a model."""
 
@@ -221,6 +224,8 @@ TABLES = {
     "row_owner": Table("n_owned", -1, "n_owners"),  # of each composite that is a row: its contact,
     # or n_contacts + its friction; -1: it always holds
     "tape": Table("5 * n_tape"),  # of an operation: code, target, three arguments
+    "switch_table": Table("5 * n_switches"),  # places of its argument and its side, SWITCH_..,
+    # segment of the tape, whether it reads quantities; those it depends on come before it
     **ELIMINATION,
     **{
         f"{kind}_{name}": table
@@ -238,6 +243,8 @@ QUANTITY_FORM, QUANTITY_LENGTH, QUANTITY_ANGLE = 0, 1, 2
 INPUT_HELD, INPUT_RAMPS, INPUT_SMOOTH = 0, 1, 2
 INPUT_COURSES = ("hold", "ramp", "smooth")  # by the word of a scene
 LEAF_VALUE, LEAF_RATE, LEAF_SIGNAL = 0, 1, 2
+SWITCH_SIGN, SWITCH_LEVEL = 0, 1
+"""What the side of a switch is: the sign of its argument, or the whole number below it."""
 SAMPLED_LOAD, SAMPLED_MOMENT, SAMPLED_BODY_MOMENT, SAMPLED_DRIVE = 0, 1, 2, 3  # see sampling.h
 REACTION_COINCIDENCE, REACTION_FORCE, REACTION_TORQUE = 0, 1, 2
 
@@ -300,6 +307,7 @@ HEAD = (
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
+    "switched",  # changes of sides of laws in the last step, see switch_event.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
     "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
@@ -418,6 +426,7 @@ STATE = {
     "contacts": f"{len(CONTACT)} * n_contacts",  # `CONTACT` of each
     "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
+    "side": "n_switches",  # of each switch
     "inputs": "n_inputs",  # last given
     "inputs_before": "n_inputs",  # of those that move: at the start of the communication step
     "inputs_slope": "n_inputs",  # factors of powers of the time from there, or from the end, on
@@ -460,7 +469,7 @@ HEADER = {
     "checksum": "I",  # CRC-32 of all that follows
     "abi": "I",  # `ABI` of the program
     "n_ints": "I", "n_numbers": "I", "n_variables": "I", "n_rules": "I", "n_rows": "I",
-    "n_sampled": "I", "n_text": "I",  # lengths; of texts in bytes
+    "n_names": "I", "n_text": "I",  # lengths; of texts in bytes
     "guid": "40s",  # of the FMU that carries it
     "fingerprint": "32s",  # hash of all that a run depends on
     "length": "I",  # of the file in bytes

@@ -100,7 +100,7 @@ class Model(
     namedtuple(
         "Model",
         "name description sizes tables offsets numbers variables rules rows forces meshes "
-        "sampled settings experiment",
+        "sampled switches settings experiment",
     )
 ):
     """Structure and numbers of a mechanism; never modified.
@@ -125,6 +125,8 @@ class Model(
         The grid of each contact with a mesh, by name, and how exact its distances are.
     sampled : tuple of str
         What each load that reads the mechanism is called in a sentence.
+    switches : tuple of str
+        Part and condition, or kink, of each switch of laws and drivers, ``force 'f': t < 0.6``.
     settings : mapping of str to float, str or bool
         Of the solver, as in ``solver.options.DEFAULTS``.
     experiment : Experiment

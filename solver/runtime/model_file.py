@@ -2,7 +2,7 @@
 
 ``model_writing`` writes them.
 
-header | int32 | doubles | variables | rules | rows | sampled | texts | JSON. The core uses all but
+header | int32 | doubles | variables | rules | rows | names | texts | JSON. The core uses all but
 the JSON where it lies; that has what only Python reads: descriptions and places in the scene.
 """
 
@@ -66,13 +66,13 @@ def from_bytes(data: bytes) -> dict[str, Any]:
 
 def _fields(
     data: bytes, n_ints: int, n_numbers: int, n_variables: int, n_rules: int, n_rows: int,
-    n_sampled: int, n_text: int,
+    n_names: int, n_text: int,
 ) -> dict[str, Any]:  # fmt: skip
     from .model import Experiment, Row, Rule, Variable
 
-    ints, _, numbers, variables, rules, rows, sampled, texts, rest = _split(
+    ints, _, numbers, variables, rules, rows, names, texts, rest = _split(
         data[HEADER.size :], 4 * n_ints, 8 * len(layout.HEAD), 8 * n_numbers,
-        VARIABLE.size * n_variables, RULE.size * n_rules, ROW.size * n_rows, 4 * n_sampled, n_text,
+        VARIABLE.size * n_variables, RULE.size * n_rules, ROW.size * n_rows, 4 * n_names, n_text,
     )  # fmt: skip
     told = json.loads(rest)  # what only Python reads
     groups = map(len, (layout.SIZES, layout.OFFSETS, layout.TABLES))
@@ -110,6 +110,7 @@ def _fields(
     if sizes[layout.SIZES.index("dim")] not in (2, 3):
         raise ValueError(DAMAGED)
     read = tuple(map(variable, VARIABLE.iter_unpack(variables), told["variables"]))
+    said, n_sampled = tuple(map(text, _array("I", names))), sizes[layout.SIZES.index("n_sampled")]
     return {
         "name": told["name"],
         "description": told["description"],
@@ -122,7 +123,8 @@ def _fields(
         "rows": tuple(map(row, ROW.iter_unpack(rows), told["rows"])),
         "forces": told["forces"],
         "meshes": told["meshes"],
-        "sampled": tuple(map(text, _array("I", sampled))),
+        "sampled": said[:n_sampled],
+        "switches": said[n_sampled:],
         "settings": {
             known.name.removeprefix("solver."): known.start
             for known in read

@@ -149,16 +149,17 @@ def to_bytes(model: Model, guid: str = "") -> bytes:
     for table in model.tables.values():
         ints += table
     records = b"".join(_records(model, texts))
-    sampled = struct.pack(f"<{len(model.sampled)}I", *map(texts.at, model.sampled))
+    said = model.sampled + model.switches
+    names = struct.pack(f"<{len(said)}I", *map(texts.at, said))
     text = _filled(texts.data)
     body = b"".join([
         _filled(_little_endian(ints)), _little_endian(_settings(model)),
-        _little_endian(model.numbers), records, _filled(sampled), text,
+        _little_endian(model.numbers), records, _filled(names), text,
         _filled(json.dumps(_rest(model), separators=(",", ":")).encode(), b" "),
     ])  # fmt: skip
     counts = (
         layout.ABI, len(ints), len(model.numbers), len(model.variables), len(model.rules),
-        len(model.rows), len(model.sampled), len(text),
+        len(model.rows), len(said), len(text),
     )  # fmt: skip
     # A saved state, too, has the layout of its version.
     fingerprint = hashlib.sha256(struct.pack("<I", layout.ABI) + body).hexdigest()[:32].encode()

@@ -137,7 +137,8 @@ WHOLE_OF_CONTACTS: dict[str, tuple[Offer, ...]] = {
         "impact": "energy taken out by impacts since the start, with their friction",
     }),
     "solver": _results("1", {
-        "events": "impacts and other changes of contacts in the last communication step",
+        "events": "impacts, other changes of contacts and switches of laws in the last "
+        "communication step",
         "stepped": "1 if the last communication step was not cut at its impacts, else 0",
     }),
 }  # fmt: skip

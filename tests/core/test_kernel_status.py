@@ -64,7 +64,7 @@ DAMPED = 'name = "damped"\ndimension = 2\n[points]\n' + "".join(
 )
 DAMPED += "[forces]\n" + "".join(
     f'D{k} = {{ type = "damper", points = ["P{k}", "ground"], at = [0, {k}], '
-    f'damping = "{1.01 * 4 / 0.57386 * 2**k / 0.1} if t > 1e-9 else 0" }}\n'
+    f'damping = "{1.01 * 4 / 0.57386 * 2**k / 0.1}*tanh(1e12*t)" }}\n'
     for k in range(17)
 )
 """Dampers, one for each halving of 0.1 s, near the pole of order 8's part of -0.574 steps: there an
@@ -122,6 +122,16 @@ ball = { mass = 1.0, position = [0, 0], velocity = [0, 0.05] }
 )
 """A ball hits thrice before the motor comes to its stop, and no mode gets through that."""
 
+WAVERING = """
+name = "wavering"
+dimension = 2
+[points]
+A = { position = [0, 0], mass = 1.0, velocity = [0.05, 0] }
+[forces]
+brake = { type = "force", point = "A", value = ["-1 if A.vx > 0 else 1", 0] }
+"""
+"""At rest each side of the law leads back to the other one."""
+
 FAILURES = {
     Status.NEWTON_DIVERGED: (PENDULUM, {"max_newton": 1}, {}, 0.1),
     Status.UZAWA_DIVERGED: (PENDULUM, {"newton_tolerance": 1e-30, "max_uzawa": 1}, {}, 0.1),
@@ -136,6 +146,8 @@ FAILURES = {
     Status.IMPACT_UNSOLVED: (STOPPED, {}, {}, 0.1),
     Status.BAD_DRIVER: (STOPPED.replace('"t"', '"sqrt(0.1 - t) - sqrt(0.1)"'), {}, {}, 0.1),
     Status.TOO_MANY_EVENTS: (BOUNCING_AND_STOPPED, {"max_events": 2}, {}, 0.1),
+    Status.LAW_SWITCHES: (WAVERING, {}, {}, 0.1),
+    Status.SIGNAL_JUMPS: (STOPPED.replace('"t"', '"0.01*t if t < 0.03 else 0.02*t"'), {}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
 
@@ -155,6 +167,8 @@ SENTENCES = {
     Status.BAD_DRIVER: "the rate of driver 'motor': it has no finite value at this time",
     Status.IMPACT_UNSOLVED: "contact 'end': no impulses were found that obey the law of impact",
     Status.TOO_MANY_EVENTS: "contact 'floor': contacts change more often than solver.max_events",
+    Status.SIGNAL_JUMPS: "driver 'motor': t < 0.03: what it drives would jump to another place",
+    Status.LAW_SWITCHES: "force 'brake': A.vx > 0: it switches more than 1000 times",
 }
 """What is said of each."""
 

@@ -69,6 +69,8 @@ class Mechanism:
         }
         self._write(self.head["time"])
         run_tape(model, self.numbers, "parameters")
+        sides = np.asarray(model.tables["switch_table"], int).reshape(-1, 5)[:, 1]
+        self.numbers[sides] = vectors["side"]
         begin = model.offsets["extent"]  # extent, row_scale and row_sigma lie side by side
         self.numbers[begin : begin + len(self.vectors["derived"])] = self.vectors["derived"]
         self._read_structure()

@@ -36,14 +36,6 @@ else:
     import tomli as tomllib
 
 FAILS: Mapping[str, Mapping[str, int]] = {
-    "sign_friction": {
-        "it stops at 2/3 s and stays, at 0.001": 46,
-        "it stops at 2/3 s and stays, at 1e-06": 46,
-        "it stops at 2/3 s and stays, at 1e-09": 46,
-    },
-    "jump_in_time": {
-        "a force sign(sin(7*t)) is right in one step of 1 s at 1e-8": 46,
-    },
     "box_impact": {
         "a friction of 1e-09 loses at most its share of the impulse": 47,
         "a friction of 0.001 loses at most its share of the impulse": 47,

@@ -1,0 +1,32 @@
+/* Sides on which laws and signals are, and whether an evaluation finds them left. */
+#ifndef HOLONOM_SIDES_H
+#define HOLONOM_SIDES_H
+
+#include "context.h"
+
+typedef struct switch_place {
+    int32_t argument, side, kind, segment, is_of_motion;
+} switch_place;
+
+static inline const switch_place *switch_of(const context *c, int32_t k) { return (const switch_place *)(const void *)c->m->switch_table + k; }
+
+/* Whether an argument is off its side. What has no value is on a side of its own. */
+static int is_off_side(int kind, double g, double side)
+{
+    if (g != g || side != side) return (g != g) != (side != side);
+    if (kind == SWITCH_LEVEL) return !(g >= side && g < side + 1.0);
+    return side > 0.0 ? g < 0.0 : side < 0.0 ? g > 0.0 : g != 0.0;
+}
+
+/* Remembers that a switch was off its side within the step at hand, where laws are evaluated at time t. */
+HM_SELDOM static void watch_switches(const context *c, double t)
+{
+    double *seen = c->k.watched + 2;
+    if (!(t > c->k.watched[0] && t < c->k.watched[1])) return;
+    for (int32_t k = 0; k < c->m->n_switches; k++) {
+        const switch_place *x = switch_of(c, k);
+        if (x->is_of_motion && is_off_side(x->kind, c->number[x->argument], c->s.side[k])) seen[k] = 1.0;
+    }
+}
+
+#endif

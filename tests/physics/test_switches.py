@@ -1,0 +1,223 @@
+"""Laws that jump or have a kink: steps end there at every order, and go on with the law behind."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import solver
+from tests.commands import run
+from tests.twins import block, start
+
+POINT = """
+name = "point"
+dimension = 2
+[points]
+A = {{ position = [{x}, 0], mass = 1.0, velocity = [{v}, 0] }}
+[forces]
+f = {{ type = "force", point = "A", value = ["{law}", 0] }}
+"""
+METHODS = {
+    **{f"order {k}": {"step_size": 0.05, "order": k} for k in (2, 4, 6, 8)},
+    "tolerance": {"tolerance": 1e-9},
+    "tolerance, order 4": {"tolerance": 1e-9, "order": 4},
+}
+
+
+def moved(law, method, *, stop, step, x=0.0, v=0.0, outputs=("A.x", "A.vx")):
+    """Place and velocity at the end of a run, of communication steps of this length."""
+    model = solver.assemble(solver.loads(POINT.format(law=law, x=x, v=v)))
+    integrator = start(model, **METHODS[method])
+    for k in range(round(stop / step)):
+        integrator.advance(k * step, step)
+    return tuple(float(integrator[name]) for name in outputs)
+
+
+def pushed(pieces):
+    """Place and velocity after forces a + b (t - t0) between times (t0, t1, a, b), from rest."""
+    x = v = 0.0
+    for begin, end, a, b in pieces:
+        h = end - begin
+        x, v = x + v * h + a * h**2 / 2 + b * h**3 / 6, v + a * h + b * h**2 / 2
+    return x, v
+
+
+TURN = math.pi / 7
+CONSTANT = {
+    "1 if t < 0.6137 else -1": [(0, 0.6137, 1, 0), (0.6137, 1, -1, 0)],
+    "floor(3.7*t)": [(k / 3.7, min(1, (k + 1) / 3.7), k, 0) for k in range(4)],
+    "ceil(3.7*t) - 1": [(k / 3.7, min(1, (k + 1) / 3.7), k, 0) for k in range(4)],
+    "sign(sin(7*t))": [(0, TURN, 1, 0), (TURN, 2 * TURN, -1, 0), (2 * TURN, 1, 1, 0)],
+    "1 if 0.5031 < t < 0.5055 else 0":
+        [(0, 0.5031, 0, 0), (0.5031, 0.5055, 1, 0), (0.5055, 1, 0, 0)],
+    "1 if t == 0.5 else 2": [(0, 1, 2, 0)],
+    "1 if t > (0.3 if t > 0.7 else 0.8) else 0": [(0, 0.7, 0, 0), (0.7, 1, 1, 0)],
+}  # fmt: skip
+LINEAR = {
+    "mod(t, 0.3)": [(0.3 * k, min(1, 0.3 * (k + 1)), 0, 1) for k in range(4)],
+    "min(t, 0.4173)": [(0, 0.4173, 0, 1), (0.4173, 1, 0.4173, 0)],
+    "max(0.4173, t)": [(0, 0.4173, 0.4173, 0), (0.4173, 1, 0.4173, 1)],
+    "abs(t - 0.4173)": [(0, 0.4173, 0.4173, -1), (0.4173, 1, 0, 1)],
+}
+
+
+@pytest.mark.parametrize("step", [0.05, 1.0])
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("law", CONSTANT)
+def test_laws_of_the_time_are_met_to_round_off(law, method, step):
+    """Forces that stand in between are exact at any order: parabolas are."""
+    assert moved(law, method, stop=1.0, step=step) == pytest.approx(
+        pushed(CONSTANT[law]), abs=3e-15
+    )
+
+
+@pytest.mark.parametrize("method", [name for name in METHODS if name != "order 2"])
+@pytest.mark.parametrize("law", LINEAR)
+def test_kinks_of_the_time_are_met_to_round_off(law, method):
+    """Cubics are exact above order 2. At a tolerance that may be taken the error is its part."""
+    allowed = 1e-10 if "tolerance" in method else 3e-15
+    assert moved(law, method, stop=1.0, step=0.25) == pytest.approx(
+        pushed(LINEAR[law]), abs=allowed
+    )
+
+
+def test_pulses_that_no_step_samples_are_seen():
+    """Eight times as wide as arccos(0.9999)/25."""
+    width = 2 * math.acos(0.9999) / 50
+    middles = [(math.pi / 2 + 2 * math.pi * k) / 50 for k in range(8)]
+    right = sum(width * (1 - t) for t in middles), 8 * width
+    found = moved("1 if sin(50*t) > 0.9999 else 0", "order 2", stop=1.0, step=1.0)
+    assert found == pytest.approx(right, abs=2e-12)  # 0.9999 is known to 1e-16, its arccos to 1e-14
+
+
+def thrown(x, v, a, stop, turn=0.0):
+    """Place and velocity of a point with the acceleration -a sign(x - turn)."""
+    t = 0.0
+    while True:
+        side = math.copysign(1.0, x - turn) if x != turn else math.copysign(1.0, v)
+        until = side * (v + side * math.sqrt(v * v + 2 * a * side * (x - turn))) / a
+        h = min(until, stop - t)
+        x, v, t = x + v * h - side * a * h * h / 2, v - side * a * h, t + h
+        if t >= stop:
+            return x, v
+        x = turn
+
+
+@pytest.mark.parametrize("step", [0.1, 1.0])
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "law", ["-sign(A.x)", "1 if A.x < 0 else -1", "-abs(A.x)/A.x", "-1 - 2*floor(A.x/1e3)"]
+)
+def test_laws_of_the_motion_are_located_to_round_off(law, method, step):
+    found = moved(law, method, stop=3.0, step=step, x=1.0)
+    assert found == pytest.approx(thrown(1.0, 0.0, 1.0, 3.0), abs=2e-13)
+    assert found == pytest.approx((-0.985281374239, 0.171572875254), abs=1e-11)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_two_switches_in_a_step_are_both_met(method):
+    """Work 0.005 J within 0.5 < x < 0.505: v^2 = 1.01 behind it."""
+    law = "1 if A.x > 0.5 and A.x < 0.505 else 0"
+    _, v = moved(law, method, stop=1.0, step=0.5, v=1.0)
+    assert v == pytest.approx(math.sqrt(1.01), abs=1e-11 if method == "tolerance" else 1e-13)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_switch_that_is_crossed_there_and_back_in_a_step_is_seen(method):
+    """It turns at x = 0.125 after 0.5 s; above 0.1 it is pulled back twice as hard."""
+    law = "-2 if A.x > 0.1 else -1"
+    v = math.sqrt(0.25 - 0.2)
+    found = moved(law, method, stop=1.0, step=1.0, v=0.5)
+    up = 0.5 - v
+    above = 2 * v / 2
+    rest = 1.0 - up - above
+    assert found == pytest.approx((0.1 - v * rest - rest * rest / 2, -v - rest), abs=1e-13)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_law_without_a_value_behind_its_switch_ends_a_step_before_it(method):
+    """v^2 = 1 - 4/3 x^(3/2) at x = 0, where the force ends; sampled forces are of order 2."""
+    law = "sqrt(A.x) if A.x > 0 else 0"
+    _, v = moved(law, method, stop=1.0, step=0.1, x=0.01, v=-1.0)
+    allowed = 1e-7 if method == "tolerance" else 2e-5
+    assert v == pytest.approx(-math.sqrt(1 - 4 / 3 * 0.01**1.5), abs=allowed)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_force_with_the_sign_of_its_rate_holds(method):
+    """It loses 1 m/s at 0.3 m/s^2, after 10/3 s at x = 5/3, and stays there."""
+    found = moved("0.5 - 0.8*sign(A.vx)", method, stop=5.0, step=0.1, v=1.0)
+    assert found == pytest.approx((5 / 3, 0.0), abs=1e-12)
+
+
+def test_a_force_with_the_sign_of_another_rate_is_refused_where_it_would_hold():
+    """No row along that rate would hold with this force, which acts along x and y."""
+    text = POINT.format(law="0", x=0, v=0.05).replace('["0", 0]', '["-(1 if A.vx > 0 else -1)", 0]')
+    integrator = start(solver.assemble(solver.loads(text)))
+    with pytest.raises(solver.StepError, match=r"force 'f': A.vx > 0: .* give it a hysteresis"):
+        integrator.advance(0.0, 0.1)
+    assert integrator.time == 0.0
+
+
+BALL = """
+name = "ball"
+dimension = 2
+[points]
+A = { position = [0, 1], mass = 1.0, velocity = [1, 0] }
+[contacts]
+floor = { type = "plane", point = "A", axis = [0, 1], restitution = 1.0 }
+[forces]
+w = { type = "force", point = "A", value = ["2 if t > 0.3137 else 0", "-1 if A.y > 0.4 else -3"] }
+"""
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_impacts_and_switches_are_both_located(method):
+    """It falls to 0.4 in sqrt(1.2) s, on to the floor with 3 m/s^2, and comes back as it fell."""
+    ball = start(solver.assemble(solver.loads(BALL)), **METHODS[method])
+    for k in range(35):
+        ball.advance(0.1 * k, 0.1)
+    above, v = math.sqrt(1.2), math.sqrt(1.2 + 6 * 0.4)
+    below = (v - above) / 3
+    late = 3.5 - 2 * above - 2 * below  # it was at 1 m again, and falls anew
+    allowed = 1e-8 if method.startswith("tolerance") else 1e-12
+    assert 0.0 < late < above
+    assert ball["A.y"] == pytest.approx(1.0 - late**2 / 2, abs=allowed)
+    assert ball["A.vy"] == pytest.approx(-late, abs=allowed)
+    assert ball["A.x"] == pytest.approx(3.5 + (3.5 - 0.3137) ** 2, abs=allowed)
+    assert ball["solver.events"] <= 3.0
+
+
+def test_a_force_that_pushes_with_the_sign_of_its_rate_does_not_hold():
+    found = moved("0.8*sign(A.vx) - 0.5", "order 2", stop=1.0, step=0.1, v=0.1)
+    assert found == pytest.approx((0.1 + 0.15, 0.4), abs=1e-13)
+
+
+def test_saved_states_continue_bit_for_bit_across_switches():
+    model = solver.assemble(solver.loads(POINT.format(law="-sign(A.x) + floor(3*t)", x=1, v=0)))
+    whole, first, second = (start(model, tolerance=1e-8) for _ in range(3))
+    for k in range(30):
+        whole.advance(0.1 * k, 0.1)
+    for k in range(17):
+        first.advance(0.1 * k, 0.1)
+    block(second)[:] = block(first)
+    for k in range(17, 30):
+        second.advance(0.1 * k, 0.1)
+    assert block(second).tobytes() == block(whole).tobytes()
+
+
+def test_info_lists_the_switches_by_part_and_condition(tmp_path, capsys):
+    scene = tmp_path / "point.toml"
+    law = "min(t, 2) if A.x < 1 and t < 3 else 0.25*floor(A.vx)"
+    scene.write_text(POINT.format(law=law, x=0, v=0))
+    code, out, _ = run(capsys, "info", str(scene))
+    assert code == 0
+    for switch in ("min(t, 2)", "A.x < 1", "t < 3", "floor(A.vx)"):
+        assert f"force 'f': {switch}" in out
+
+
+def test_conditions_of_parameters_alone_are_no_switches():
+    text = POINT.format(law="max(k, 1)*(1 if k > 2 else t)", x=0, v=0)
+    text += '[parameters]\nk = { value = 3, variability = "tunable" }\n'
+    assert solver.assemble(solver.loads(text)).switches == ()
