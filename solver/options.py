@@ -135,7 +135,7 @@ _TABLE = (
            "stepped",
            low=1.0, high=1e6, whole=True, of_contacts=True),
     Option("contact_mode", "located",
-           "impacts at their times (located), or one for each half step (stepped)",
+           "impacts at their times (located), or one for each half step (stepped), in equal steps",
            words=("located", "stepped"), of_contacts=True),
     Option("impact_law", "simultaneous",
            "contacts that hit together: all at once, or the fastest first (sequential)",

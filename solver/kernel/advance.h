@@ -204,6 +204,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         return status;
     }
     end_inputs(&c, step);
+    if (!(hm_tolerance(head) > 0.0)) head[S_EQUAL_TIME] += step;
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
     head[S_AT_FAULT] = 0.0;

@@ -39,13 +39,18 @@ typedef struct context {
     enum way way;       /* how the last internal step was taken                                                    */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
+    int reads;          /* whether laws read the increment that is solved for, see inputs_signals.h          */
+    int foretells;      /* whether they read a prediction of it, since it had no solution                           */
+    int32_t n_secants;  /* pairs of increments and what they changed, at this length with these factors, see secants.h */
+    int has_last;       /* whether the last increment and what was solved for it are known                        */
+    double secants_h;
+    const holonom_elimination *secants_lu;
     int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
     int lagged;         /* whether cones take the normal forces `lag`                                        */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0; see fault.h */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
-    int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
     double longest_put_back; /* explicit step, by the difference of the last one [s]                               */
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
     double free_part;   /* of it, that rows leave free                                                            */
@@ -212,18 +217,19 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->constraints_only = c->careful = c->at_state = c->passing = c->unweighted = c->damped = 0;
+    c->constraints_only = c->careful = c->at_state = c->unweighted = c->damped = 0;
     c->balanced = c->difference = 0.0;
     c->free_part = c->growth = 1.0;
     c->shorter = 0.5;
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
+    c->at_fault = c->divided = c->sliding = c->stepping = c->reads = c->foretells = c->n_secants = c->has_last = c->lagged = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);
-    c->factors_lu = c->lu;
+    c->factors_lu = c->secants_lu = c->lu;
+    c->secants_h = 0.0;
     c->factors_h = 0.0;
     c->rows_known = 0;
     c->fresh_increments = 0;

@@ -10,7 +10,6 @@
 
 enum { MAX_REPEATS = 40 };
 #define JUMP 1e-12 /* of a driver's place, or over it: round-off of ramps is less */
-#define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
 #define REJECTED 2.0  /* times what a step may add, at which it is repeated */
@@ -67,12 +66,8 @@ static double cost_of(const method *x, double turned)
     return x->solutions * (x->way == EXPLICIT ? 4.0 : x->way == COVERED ? 4.0 + 4.0 * turned : 3.0 + 1.5 * turned);
 }
 
-/* Whether half steps are of order 2: loads that read the mechanism at a predicted middle are of that order. */
-static int is_limited(const context *c)
-{
-    const int has_mass = c->number[c->m->extent_at + 1] > 0.0; /* else nothing measures errors */
-    return !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
-}
+/* Whether nothing has a mass, which would measure errors. */
+static int is_massless(const context *c) { return !(c->number[c->m->extent_at + 1] > 0.0); }
 
 /* Whether steps of a tolerance may be explicit: `fastest` asks for them. */
 static int takes_explicit(const context *c) { return c->s.head[S_METHOD] != 0.0 && may_step_explicitly(c); }
@@ -85,7 +80,7 @@ static int may_take(const context *c, const method *x, const step_error *e)
     if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
     if (x->way == EXPLICIT) return takes_explicit(c);
     if (c->way == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
-    return x->way == COMPOSED || !is_limited(c);
+    return x->way == COMPOSED || !is_massless(c);
 }
 
 /* Order and length of the steps to come, for the least cost of a communication step of length `step`. */
@@ -123,7 +118,7 @@ static void begin_control(context *c)
     if (!takes_explicit(c) || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
     else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
     if (head[S_EXPLICIT] != 0.0) head[S_ORDER_IN_USE] = is_new ? 8.0 : head[S_ORDER_IN_USE];
-    else if (is_limited(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
+    else if (is_massless(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0 && (is_new || head[S_ORDER_IN_USE] != 2.0)) head[S_ORDER_IN_USE] = asked;
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
@@ -177,7 +172,7 @@ HM_SELDOM static void bound_across(context *c)
    it about as much faster as they are shorter. The work is what energies ask for. Where rows cannot follow, all stays as it is. */
 HM_SELDOM static void follow_jumps(context *c)
 {
-    int jumps = 0, held = 0;
+    int jumps = 0, held = 1;
     signals_at(c, c->t, c->k.signal1);
     for (int32_t b = 0; b < c->m->n_signals; b++)
         jumps |= fabs(c->k.signal1[b] - c->s.signal[b]) > JUMP * fmax(1.0, fabs(c->s.signal[b]));
@@ -189,7 +184,9 @@ HM_SELDOM static void follow_jumps(context *c)
     signal_rates_at(c, c->t, c->k.signal_rate);
     place_driven(c);
     take_unknowns(&at);
-    if (factorise_here(&at) || put_back(c, &at, &held)) take_state(c, before);
+    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
+    /* Velocities of a body that has turned far want factors of where it is now. */
+    if (held || factorise_here(&at) || !put_velocities_back(c, &at)) take_state(c, before);
     else follow_turns(c);
     c->s.head[S_MEAN_TIME] = INFINITY;
     forget_halves(c);
@@ -200,7 +197,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
 {
     double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0; /* half steps before those of the present moment */
     int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
-    double tried = 0.0; /* length of the explicit step first tried */
     int repeats = 0;
     c->t = start;
     if (c->m->n_signals) follow_jumps(c);
@@ -208,7 +204,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;
         const double rest = step - done;
-        const int is_explicit = head[S_EXPLICIT] != 0.0;
         const double n = steps_over(c, rest, longest_next(c, rest));
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
@@ -241,11 +236,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             if (++repeats > MAX_REPEATS) return status ? status : HOLONOM_STEP_COLLAPSED;
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
-            if (repeats == 1) tried = h;
-            if (is_explicit && !c->passing && wanted < NEAR_SINGULAR * tried) {
-                head[S_WANTED] = 0.5 * tried;
-                c->passing = 1;
-            }
             if (status) lower_penalties(c);
             if (status && known_misses(c)) { /* Newton's iteration may only have begun too far away */
                 forget_halves(c);
@@ -253,7 +243,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             }
             continue;
         }
-        repeats = c->passing = 0;
+        repeats = 0;
         bound_across(c);
         if (ends_at_switch) forget_halves(c);
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */

@@ -4,6 +4,7 @@
 
 #include "energy.h"
 #include "ledger.h"
+#include "sensors.h"
 
 /* Time at part `part` of a step of length h from t, but inside of it, where laws may jump at its ends. */
 static double inside_of_step(double t, double h, double part)
@@ -23,28 +24,6 @@ static void load_inputs(const context *c, double t)
         c->number[m->input_at + i] = m->input_course[i] == INPUT_HELD ? s->inputs[i] : s->inputs_before[i] + moved;
     }
     memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
-}
-
-/* Quantities and their rates in the middle of the step to come, predicted with the accelerations of the same half of
-   the last pair.                                                                                             */
-static void sense(context *c, double h, int parity)
-{
-    const holonom_model *m = c->m;
-    double *x = c->k.ahead, *v = c->k.ahead_rate;
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
-        const double a = c->s.a[parity][k];
-        x[k] = c->s.q[k] + 0.5 * h * c->s.v[k] + 0.125 * h * h * a;
-        v[k] = c->s.v[k] + 0.5 * h * a;
-    }
-    for (int32_t j = 0; j < m->n_active; j++) {
-        const double turn = 6.283185307179586477;
-        double angle = quantity_at(c, j, x, c->s.q_low, v, c->number + m->sensor_rate_at + j);
-        if (m->quantity_kind[j] == QUANTITY_ANGLE) { /* the turn next to the state's */
-            const double now = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
-            angle -= turn * floor((angle - now) / turn + 0.5);
-        }
-        c->number[m->sensor_at + j] = angle;
-    }
 }
 
 /* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes springs, their stored

@@ -203,7 +203,7 @@ static void accept_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
     use_unknowns(c, may_reduce(c));
-    if (c->m->n_sampled) judge_sampling(c, parity); /* else what follows it would count as seldom, too */
+    if (c->m->n_sampled && !reads_the_step(c)) judge_sampling(c, parity); /* else what follows it would count as seldom, too */
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
         accept_island(c, parity);

@@ -3,6 +3,8 @@
 #define HOLONOM_NEWTON_H
 
 #include "policy_penalty.h"
+#include "secants.h"
+#include "sensors.h"
 #include "tangent.h"
 
 /* Uzawa update: the total multiplier becomes the one held fixed. The paper's eq 16 adds alpha (Phi_n + Phi_1)/2
@@ -115,6 +117,7 @@ static void hand_on(context *c)
 /* Residuals with what was handed on. */
 static int32_t evaluate_balance(context *c)
 {
+    if (c->reads) read_the_step(c);
     const int32_t status = evaluate_residual(c);
     for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) c->k.momentum[k] += c->k.handed_on[k];
     return status;
@@ -152,6 +155,7 @@ static int32_t newton_update(context *c, newton_record *r)
     double *rhs = c->k.rhs, increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
     solve_factors(c);
+    if (c->reads) follow_laws(c);
     EACH_NODE(c, a) {
         const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
@@ -194,6 +198,7 @@ static void take_back(context *c)
 static void hold_multipliers(context *c, newton_record *r)
 {
     update_multipliers(c);
+    c->has_last = 0;
     r->updates++;
 }
 
@@ -208,11 +213,13 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (!r->kept) {
             status = factorise(c);
             c->firm = !status && rows_are_firm(c);
+            c->has_last = 0;
         }
         if (!status) status = newton_update(c, r);
         if (status) return status;
         judge_increment(c, r);
-        if (is_misled(r)) take_back(c);
+        if (is_misled(r)) take_back(c), c->has_last = 0;
+        if (r->eta <= READ_ENOUGH * r->size) c->reads = 0;
         status = evaluate_balance(c);
         if (status) return status;
         if (has_converged(c, r)) return HOLONOM_OK;

@@ -34,6 +34,7 @@ static int would_pay(const context *c, const newton_record *r)
 static inline int may_keep_factors(const context *c, const newton_record *r)
 {
     if (!r->factorised || !hm_skips(SKIP_FACTORISATION)) return 0;
+    if (c->reads) return 1; /* what laws do tells nothing of the factors */
     return r->theta < GOOD_CONTRACTION ? !would_pay(c, r) : r->iteration > 0 && r->eta < LAST_DIGITS * r->size;
 }
 

@@ -10,7 +10,7 @@
 
 #include "control.h"
 
-enum { MOST_SECANTS = 40 };
+enum { MOST_TRIED = 40 };
 #define FIRST_SECANT 1e-4 /* by which the second factor differs from 1 */
 #define ROUND_OFF_SECANT 1e-9 /* so near to the factor before it round-off is all that is left */
 #define ROUND_OFF_VALUE 10.0 /* times what counts as zero: gaps of short pieces are not told more exactly */
@@ -39,7 +39,7 @@ static int32_t take_again(context *c, const double *row, double h)
     head[S_EXPLICIT] = row[MESH_EXPLICIT];
     head[S_KNOWN] = fmin(head[S_KNOWN], row[MESH_KNOWN]);
     c->careful = row[MESH_CAREFUL] != 0.0;
-    c->passing = c->unweighted = 0;
+    c->unweighted = 0;
     c->damped = is_dissipative(c);
     if (row[MESH_LOWERED] != 0.0) lower_penalties(c);
     for (double k = 0.0; !status && k < row[MESH_PROJECTED]; k++) status = project_velocities(c, S_IMPACT);
@@ -119,7 +119,7 @@ static int32_t meet_event(context *c, mesh_piece *x, double law_time, double lon
 {
     double left, before = 0.0, last = NAN, best = NAN, least = INFINITY, shorter = FIRST_SHORTER;
     int is_met = 0;
-    for (int k = 0; k < MOST_SECANTS; k++) {
+    for (int k = 0; k < MOST_TRIED; k++) {
         const int32_t status = take_to_event(c, x, law_time, &left);
         double next;
         if (status == HOLONOM_STOPPED) return status;

@@ -15,6 +15,7 @@ enum { MOST_PASSES = 8 };
 #define SOFTER 1024.0           /* compliance of dependent rows in stages, over the usual: off the rows they would stop motion */
 #define SHORTEST 0.2            /* times the length of the last step, of the next one */
 #define LEFT_OF_ROWS 1e-11      /* of their second derivatives, by Uzawa updates */
+#define WEAKEST_PIVOT 0.1       /* compliance of a row over what it determines, in stages: beyond, half steps pass a singular place */
 #define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
 #define LARGEST_DIFFERENCE 1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
 #define AIMED_DIFFERENCE 5e-4   /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked for more steps */
@@ -26,7 +27,7 @@ HM_SELDOM static int may_step_explicitly(const context *c)
     const holonom_model *m = c->m;
     const double mass = c->number[m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
     return mass > 0.0 && hm_tolerance(c->s.head) > 0.0 && c->s.head[S_HELD] < MOST_HELD && !is_unilateral(m) &&
-           !(m->variable_potential && (m->time_dependent || m->sensing)) && are_smooth(c);
+           !(m->variable_potential && m->time_dependent) && are_smooth(c);
 }
 
 /* Whether the state is the end of an explicit step. */
@@ -183,11 +184,24 @@ HM_SELDOM static void look_for_forces(const context *c, double h, const double *
     for (int i = 0; i < RIGID; i++) x->kept[i] &= fabs(h * rate[i] - x->impulse[i]) <= MOMENTUM_ROUND_OFF * fmax(h * size[i], x->scale[i]);
 }
 
+/* Whether some rows of the island at hand, of which none depend on each other elsewhere, hardly determine their multipliers at this
+   state: their compliance would hold as much as they do. */
+static int is_singular_here(const context *at)
+{
+    double largest = 0.0;
+    if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT) return 0;
+    EACH_ROW(at, i) largest = fmax(largest, fabs(inverse_pivot(at, i)) * at->k.epsilon[i]);
+    return !(largest < WEAKEST_PIVOT);
+}
+
 /* Accelerations and multipliers of all islands at the state. */
 static int32_t accelerate_all(context *at)
 {
     int32_t status = HOLONOM_OK;
-    EACH_ISLAND(at, island) status = status ? status : accelerate(at, at->s.a[0], at->s.mu[0]);
+    EACH_ISLAND(at, island) {
+        if (!status) status = accelerate(at, at->s.a[0], at->s.mu[0]);
+        if (!status && is_singular_here(at)) status = HOLONOM_SINGULAR_TANGENT;
+    }
     at->s.head[S_NEWTON_ITERATIONS] += 1.0;
     return status;
 }
@@ -382,12 +396,14 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
     c->h = h;
     c->halves = x->stages;
     int32_t status = step_explicitly(c, &at, x, h, &held);
-    if (status == HOLONOM_DAMPING_REVERSED) return HOLONOM_OK; /* some weights are negative, those of pairs are not */
+    /* Some weights are negative, those of pairs are not; and a stage lies on a singular place. */
+    if (status == HOLONOM_DAMPING_REVERSED || status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;
     if (held) {
         before[S_HELD] += 1.0;
         return HOLONOM_OK;
     }
     if (!status) status = remember_end(c, &at);
+    if (status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;
     if (status == HOLONOM_NOT_FINITE) find_forces_at_start(c, &at, t, h);
     if (status) return status;
     c->s.head[S_HELD] = 0.0;

@@ -36,6 +36,7 @@ WORK = {
     "handed_on": "n",  # part of it that the last half steps have left to this one
     "sensed": "n",  # increment of which sampled loads were told
     "ahead": "n", "ahead_rate": "n",  # coordinates and velocities that are foreseen
+    "secants": "sensing * 26 * n_pivots",  # see secants.h
     "free": "n",  # part of the velocities that rows leave free
     "kept": "n_islands * (4 * (dim + turning) + dim + 6)",  # KEPT_SIZE of kept_motion.h
     "slip": "n_rows * unilateral",  # rates of sliding frictions' rows over the step

@@ -78,6 +78,8 @@ static inline int may_reduce(const context *c) { return HM_BODIES && c->m->n_red
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
 {
+    c->reads = reads_the_step(c);
+    c->has_last = 0;
     const holonom_model *m = c->m;
     const double h = c->h;
     EACH_TURN(c, b) if (c->half == 0) straighten(c, m->body_node[b]);
@@ -208,8 +210,8 @@ static int32_t solve_island(context *c, int parity, effort *total)
     return status;
 }
 
-/* Into how many parts a step divides the mechanism, and lets the next one be at hand. */
-static inline int32_t n_apart(const context *c) { return hm_skips(SKIP_ISLANDS) ? c->m->n_islands : 1; }
+/* Into how many parts a step divides the mechanism, and lets the next one be at hand. Laws may read one island and act on another. */
+static inline int32_t n_apart(const context *c) { return hm_skips(SKIP_ISLANDS) && !reads_the_step(c) ? c->m->n_islands : 1; }
 
 static inline void look_at_part(context *c, int32_t part, int32_t parts)
 {
@@ -228,6 +230,12 @@ static int32_t solve_step(context *c, int parity)
         effort own = {0, 0};
         look_at_part(c, part, parts);
         status = solve_island(c, parity, &own);
+        if (status && reads_the_step(c)) {
+            c->foretells = 1;
+            sense(c, c->h, parity);
+            hm_run_tape(c->m, c->number, 1);
+            status = solve_island(c, parity, &own);
+        }
         take_all_rows(c);
         if (own.increments > most.increments) most.increments = own.increments;
         if (own.updates > most.updates) most.updates = own.updates;

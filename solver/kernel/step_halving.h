@@ -71,7 +71,7 @@ static int32_t take_step(context *c, double h)
     int order = (int)c->s.head[S_ORDER_IN_USE];
     int32_t status = HOLONOM_OK;
     c->way = UNTAKEN;
-    if (c->s.head[S_EXPLICIT] != 0.0 && is_explicit_order(order) && !c->passing && may_step_explicitly(c)) {
+    if (c->s.head[S_EXPLICIT] != 0.0 && is_explicit_order(order) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         status = runge_kutta_step(c, h);
         if (status || c->way == EXPLICIT) return status;

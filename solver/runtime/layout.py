@@ -291,8 +291,10 @@ HEAD = (
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
     "as_pairs",  # steps in it whose higher order would have let a loss give energy
     "ledger_error",
-    "equal_steps",  # of the run, see coarseness.h
-    "errors_seen",  # of those looked at
+    "equal_steps", "equal_time",  # of the run: their number, and how long they lasted [s]
+    "looks", "least_place", "least_angle",  # at some of them, see coarseness.h
+    "reach",  # longest way of a place from its start [m], as far as looked at
+    "place_error", "angle_error",  # sums of what these add to the error of the run [m, rad]
     "turned", "turning",  # largest turn of a body in one, squared [rad^2], and its node
     "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
@@ -412,6 +414,7 @@ STATE = {
     "signal": "n_signals",  # prescribed values at the present time
     "quaternion": "4 * n_oriented",  # w, x, y, z; of continuous sign
     "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
+    "freedom": "n_moving",  # whether rows and drivers left a node to move by itself at the start
     "contacts": f"{len(CONTACT)} * n_contacts",  # `CONTACT` of each
     "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers

@@ -64,6 +64,7 @@ def outputs(integrator):
     return integrator.get(range(len(integrator.model.variables)))
 
 
+@pytest.mark.filterwarnings("ignore:.*contacts change without being located:RuntimeWarning")
 @pytest.mark.parametrize("tolerance", [0.0, 1e-6])
 @pytest.mark.parametrize("name", SOURCES)
 def test_scratch_filled_with_nan_between_steps_changes_nothing(name, tolerance):

@@ -234,3 +234,26 @@ def test_a_bearing_that_rubs_goes_on_the_other_way_when_its_pendulum_rebounds(h)
     lost = located["energy.dissipated"][-1]
     assert found["energy.dissipated"][-1] == pytest.approx(lost, rel=5e-4)
     assert found["energy.error"].max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("setting", "said"),
+    [
+        ({"tolerance": 1e-6}, "the tolerance is 1e-06"),
+        ({"tolerance": 1e-6, "order": 4}, "the tolerance is 1e-06"),
+        ({"order": 4}, "solver.order is 4"),
+        ({}, ""),
+    ],
+    ids=str,
+)
+def test_a_run_that_does_not_follow_its_settings_says_so_once(setting, said):
+    model = solver.assemble(solver_scene(ball()))
+    sentences: list[str] = []
+    integrator = Integrator(model, log=sentences.append)
+    for name, value in ({"step_size": 0.01} | STEPPED | setting).items():
+        integrator[f"solver.{name}"] = value
+    for _ in range(3):
+        integrator.advance(integrator.time, 0.1)
+    assert len(sentences) == bool(said)
+    assert all(sentence.startswith(said) for sentence in sentences)
+    assert ("tolerance" in setting) == any("equal steps" in sentence for sentence in sentences)

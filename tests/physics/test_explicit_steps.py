@@ -12,10 +12,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.integrate import quad, solve_ivp
 
 import solver
 from solver.runtime import Integrator
 from tests.mechanism_runs import scene, steps_explicitly
+from tests.problems import GRAVITY
 from tests.twins import vector
 
 TEXT = (Path(__file__).parents[2] / "solver" / "kernel" / "runge_kutta_methods.h").read_text(
@@ -226,7 +228,7 @@ def test_a_load_that_pauses_at_both_ends_of_a_step_changes_the_momentum():
         assert run["momentum.y"] - before == pytest.approx(gained, abs=1e-6)
 
 
-def test_a_composition_passes_a_singular_place_that_leaves_accelerations_undetermined():
+def test_half_steps_pass_a_singular_place_that_leaves_accelerations_undetermined():
     """A parallelogram through its straight position (IFToMM A02), at a tolerance near round-off."""
     run = Integrator(solver.assemble(solver.load(scene("four_bar"))))
     run["solver.tolerance"], run["solver.longest_step"] = 1e-11, 1e6
@@ -235,6 +237,32 @@ def test_a_composition_passes_a_singular_place_that_leaves_accelerations_undeter
         run.advance(run.time, 0.5)
         assert run["energy.error"] < 1e-13
         assert run["solver.substeps"] < 2000.0
+
+
+@pytest.mark.parametrize("order", [0.0, 4.0])
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-8])
+@pytest.mark.parametrize("apart", [1e-3, -1e-5, 1e-7, -1e-9, 0.0])
+def test_communication_points_near_a_singular_place_cost_no_accuracy(order, tolerance, apart):
+    """Rods in parallel, 3 a'' = -3.5 g cos a, a' = -1 rad/s at 90 deg, are flat after 0.71 s."""
+    rate = quad(
+        lambda a: 1.0 / math.sqrt(1.0 + 7.0 / 3.0 * GRAVITY * (1.0 - math.sin(a))), 0.0, math.pi / 2
+    )
+    run = Integrator(solver.assemble(solver.load(scene("four_bar"))))
+    run["solver.tolerance"], run["solver.order"], run["solver.longest_step"] = tolerance, order, 1e6
+    for step in (rate[0] + apart, 0.5):
+        run.advance(run.time, step)
+        found = solve_ivp(
+            lambda _, y: [y[1], -3.5 / 3.0 * GRAVITY * math.cos(y[0])],
+            (0.0, run.time),
+            [math.pi / 2, -1.0],
+            method="DOP853",
+            rtol=1e-13,
+            atol=1e-13,
+        )
+        angle, speed = found.y[:, -1]
+        assert run["B0.x"] == pytest.approx(math.cos(angle), abs=3.0 * tolerance)
+        assert run["B1.y"] == pytest.approx(math.sin(angle), abs=3.0 * tolerance)
+        assert run["B1.vy"] == pytest.approx(speed * math.cos(angle), abs=3.0 * tolerance * 4.9)
 
 
 def test_a_long_chain_of_springs_is_as_fast_as_its_shortest_wave():

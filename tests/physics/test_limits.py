@@ -145,9 +145,11 @@ B = { position = [0, 1], mass = 1.0, velocity = [1, 0] }
 a = { type = "damper", points = ["A", "ground"], at = [-1, 0], damping = 1.0 }
 b = { type = "damper", points = ["B", "ground"], at = [-1, 1], damping = 1.0 }
 push = { type = "force", point = "A", value = ["order + other - 0.1*A.x", 0] }
-stop = { type = "potential", value = "max(B.x - 2, 0)**2" }
+[contacts]
+stop = { type = "plane", point = "B", axis = [-1, 0], position = [9, 0] }
 [solver]
 tolerance = 1e-7
+contact_mode = "stepped"
 """
     said: list[str] = []
     run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)
@@ -158,4 +160,4 @@ tolerance = 1e-7
     run.advance(0.0, 0.1)
     clipped, limited = said
     assert clipped.startswith("order: 3.0 is beyond 1")
-    assert "steps are of order 2" in limited
+    assert "are equal steps" in limited

@@ -1,4 +1,4 @@
-"""Where dampers keep steps at order 2 though a higher one is wanted, somebody hears of it."""
+"""Where steps follow neither the tolerance nor the order that is set, somebody hears of it."""
 
 from __future__ import annotations
 
@@ -41,24 +41,18 @@ step_size = 0.1
 """
 
 
-LIMITED = "tolerance = 1e-7"
-"""With `READS`, a setting that leaves no choice of the order."""
+LIMITED = 'tolerance = 1e-7\ncontact_mode = "stepped"'
+"""With `TOUCHES`, a setting that takes equal steps."""
 
-READS = """
-[forces.follow]
-type = "force"
-point = "A"
-value = ["-0.1*A.x", 0]
-[forces.buffer]
-type = "potential"
-value = "max(A.y - 2, 0)**2"
+TOUCHES = """
+[contacts]
+wall = { type = "plane", point = "A", axis = [0, -1], position = [0, 9] }
 """
-"""A load that reads, which half steps take at order 2, and a kink that explicit steps refuse."""
 
 
 def text(setting: str, parts: int = 2, damping: float = 0.3, more: str = "") -> str:
     if setting == LIMITED:
-        more = READS
+        more = TOUCHES
     shown = [PART.format(name="AB"[i], x=3.0 * i, damping=damping) for i in range(parts)]
     return "".join([HEAD.format(setting=setting), *shown, more])
 
@@ -73,11 +67,10 @@ def said(setting: str, **options) -> list[str]:
     return sentences
 
 
-def test_a_tolerance_that_has_no_choice_of_the_order_says_so_once():
+def test_a_tolerance_that_chooses_no_steps_says_so_once():
     (sentence,) = said(LIMITED)
-    assert sentence.startswith("solver.tolerance chooses the order, but steps are of order 2")
-    assert "a load reads the mechanism" in sentence
-    assert "takes many steps" in sentence
+    assert sentence.startswith("the tolerance is 1e-07, but steps in which contacts change")
+    assert "equal steps of at most solver.step_size = 0.01 s" in sentence
 
 
 @pytest.mark.parametrize(
@@ -104,12 +97,12 @@ def test_where_nothing_is_limited_nothing_is_said(setting, options):
 def test_without_a_log_it_is_a_warning():
     scene = solver.loads(text(LIMITED))
     with pytest.warns(
-        RuntimeWarning, match="solver.tolerance chooses the order, but steps are of order 2"
+        RuntimeWarning, match="the tolerance is 1e-07, but steps in which contacts change"
     ) as told:
         solver.simulate(scene)
     assert told[0].filename == __file__  # at the line that asked for the run
     run = solver.Integrator(solver.assemble(scene))
-    with pytest.warns(RuntimeWarning, match="steps are of order 2"):
+    with pytest.warns(RuntimeWarning, match="are equal steps"):
         run.advance(0.0, 0.1)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -134,7 +127,7 @@ def test_an_fmu_says_it_with_its_log_off_to_the_logger_of_python(caplog):
         assert fmu.step(0.0, 0.1)
     (record,) = [each for each in caplog.records if each.name == LOGGER]
     assert record.levelno == logging.WARNING
-    assert record.getMessage().startswith("FMU parts: solver.tolerance chooses the order, but")
+    assert record.getMessage().startswith("FMU parts: the tolerance is 1e-07, but steps")
 
 
 def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):
@@ -142,6 +135,6 @@ def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):
     scene.write_text(text(LIMITED))
     assert main(["build", str(scene), "-o", str(tmp_path / "parts.fmu")]) == 0
     assert (
-        "parts: solver.tolerance chooses the order, but steps are of order 2"
+        "parts: the tolerance is 1e-07, but steps in which contacts change"
         in capsys.readouterr().err
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 import zipfile
 from pathlib import Path
@@ -137,12 +138,21 @@ def test_the_log_and_the_page_of_an_fmu_say_it(chattering, tmp_path):
         assert "is evaluated too seldom" in archive.read("documentation/index.html").decode()
 
 
-def test_with_a_tolerance_the_remedy_is_a_shorter_longest_step():
-    text = (
-        PIN.format(J=1.0, h=0.01, law="-300*pin.angular_velocity") + "tolerance = 1e-3\norder = 2\n"
+@pytest.mark.parametrize("order", [0, 2, 4, 8])
+@pytest.mark.parametrize("gain", [1.0, 300.0, 3e4])
+def test_under_a_tolerance_loads_read_the_step_and_slow_a_body_as_their_formula_says(gain, order):
+    """J w' = -c w: it turns by w_0 J/c until it stands."""
+    text = PIN.format(J=1.0, h=0.01, law=f"-{gain}*pin.angular_velocity")
+    run = solver.Integrator(
+        solver.assemble(solver.loads(f"{text}tolerance = 1e-6\norder = {order}\n"))
     )
-    (sentence,), _ = said_of(text)
-    assert sentence.endswith("take a smaller solver.longest_step")
+    first, speed = float(run["pin.angle"]), float(run["pin.angular_velocity"])
+    for _ in range(10):
+        run.advance(run.time, 0.1)
+    turned = speed / gain * -math.expm1(-gain)
+    assert run["pin.angle"] - first == pytest.approx(turned, abs=3e-6)
+    assert run["pin.angular_velocity"] == pytest.approx(speed * math.exp(-gain), abs=3e-6 * speed)
+    assert run["solver.sampling"] == 0.0
 
 
 MOTOR = """

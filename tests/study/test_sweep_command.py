@@ -73,7 +73,7 @@ def test_a_warning_of_the_runs_is_said_once(capsys, tmp_path, engine):
     options = ("--engine", engine, "-o", tmp_path / "a.csv", "--json")
     code, out, err = run(capsys, "sweep", fmu, *grid, *options)
     assert code == 0
-    assert err.count("solver.tolerance chooses the order, but steps are of order 2") == 1
+    assert err.count("the tolerance is 1e-07, but steps in which contacts change") == 1
     assert json.loads(out)["warnings"] == [err.removeprefix("holonom: ").rstrip("\n")]
 
 
