@@ -179,6 +179,8 @@ HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
     const double *row = repeated_by(c)->row, *behind = row + MESH_SIZE * repeated_by(c)->count, end = start + step;
     double later = 0.0; /* by which the next piece begins later than in the recorded run */
     int32_t status = row < behind ? HOLONOM_OK : HOLONOM_MESH_METHODS;
+    c->t = start;
+    if (c->m->n_signals && hm_tolerance(c->s.head) > 0.0) follow_jumps(c);
     while (!status && row < behind) {
         mesh_piece x = {row, row, row[MESH_TIME] + later, 1.0, NAN};
         while (x.last[MESH_END] == END_LENGTH && x.last + MESH_SIZE < behind) x.last += MESH_SIZE;

@@ -104,14 +104,15 @@ def recorded(text, **options):
     ("name", "options"),
     [
         ("double_pendulum", {"tolerance": 1e-6}),
+        ("double_pendulum", {"tolerance": 1e-6, "method": "fastest"}),
         ("double_pendulum", {"tolerance": 1e-6, "order": 4.0}),
         ("car_axis", {"tolerance": 1e-4}),
         ("bouncing_ball", {"tolerance": 1e-6, "stop_time": 3.0}),
-        ("bouncing_ball", {"stop_time": 3.0}),
+        ("bouncing_ball", {"internal_step": 0.01, "stop_time": 3.0}),
         ("belt_and_block", {"tolerance": 1e-4, "stop_time": 2.0}),
         ("falling_chain", {"tolerance": 1e-6, "stop_time": 0.5}),
         ("die_in_a_bowl", {"tolerance": 1e-4, "stop_time": 0.5}),
-        ("snakeboard", {}),
+        ("snakeboard", {"internal_step": 0.01}),
     ],
 )
 def test_the_same_numbers_give_the_same_bits(name, options):
