@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import solver
 from benchmarks.effort import Effort
 from benchmarks.exudyn_peer import METHOD, Job, beside, measured
 from benchmarks.mechanisms import start_scene

@@ -1,8 +1,8 @@
 """Write the core's picture of a model and a state from their declaration in Python, and tables.
 
 `solver/runtime/layout.py` has the fields, ``solver/kernel/scratch.py`` the scratch of a call,
-``solver/runtime/errors.py`` the codes of failures, ``solver/options.py`` the settings. What stands in a comment behind a field there is
-its comment here.
+``solver/runtime/errors.py`` the codes of failures, ``solver/options.py`` the settings. What stands
+in a comment behind a field there is its comment here.
 
     model_tables.h      structures and enumerations
     section_tables.h    where sections begin

@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from dataclasses import KW_ONLY, dataclass
 from typing import Any
 
-
 TINY = 2.2250738585072014e-308
 """Least normal number, for what must be greater than zero."""
 

@@ -397,7 +397,7 @@ MESH = (
 MESH_TAKEN = ("pairs", "cover", "finest", "explicit", "short", "stepped")
 """How an internal step was taken: by pairs of half steps, a weighted cover, the finest cover alone,
 explicitly, by Taylor's series, or with contacts that change without being located."""
-MESH_ENDS = ("length", "switch", "event", "stop")
+MESH_ENDS = ("length", "event", "stop")
 """What ended it: its length, a switch of laws, an event of contacts, a slip in space that stops."""
 
 STATE = {

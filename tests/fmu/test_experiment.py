@@ -6,7 +6,6 @@ import pytest
 
 from tests.fmu_instance import Instance, instance, pendulum
 
-
 CHOSEN = {"step_size": 0.0, "order": 0.0, "tolerance": 0.0}
 """Settings of which none is given."""
 
@@ -36,7 +35,12 @@ def test_a_second_experiment_without_a_stop_time_takes_the_first_one_back(native
         ({}, 1e-7, 1e-7, ""),  # for 1e-4
         ({"tolerance": 1e-5}, -1.0, 1e-5, "tolerance -1.0 has no effect: it must be >= 1e-14"),
         ({"tolerance": 1e-5}, 1e-20, 1e-5, "tolerance 1e-20 has no effect: it must be >= 1e-14"),
-        ({"tolerance": 1e-5}, 1e-2, 1e-5, "tolerance 0.01 has no effect: that of this run is 1e-05"),
+        (
+            {"tolerance": 1e-5},
+            1e-2,
+            1e-5,
+            "tolerance 0.01 has no effect: that of this run is 1e-05",
+        ),
         ({}, 1e-2, 1e-4, "tolerance 0.01 has no effect: that of this run is 0.0001"),
         ({"step_size": 0.01}, 1e-7, 0.0, "tolerance 1e-07 has no effect: this run has fixed steps"),
     ],

@@ -13,7 +13,9 @@ from tests.mechanism_runs import steps_explicitly
 
 
 def started(text: str, tolerance: float, stop: float = 1.0) -> Integrator:
-    tail = f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
+    tail = (
+        f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
+    )
     run = Integrator(solver.assemble(solver.loads(f'name = "well"\ndimension = 2\n{text}{tail}')))
     run.initialise()
     return run

@@ -42,7 +42,9 @@ def body(
 
 def flight(*parts: str, tolerance: float, stop: float, gravity: float = 0.0) -> Integrator:
     head = f'name = "flight"\ngravity = [0, 0, {-gravity}]\n'
-    tail = f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
+    tail = (
+        f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
+    )
     run = Integrator(solver.assemble(solver.loads("\n".join((head, *parts, tail)))))
     run.initialise()
     return run

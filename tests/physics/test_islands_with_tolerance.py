@@ -24,7 +24,9 @@ G = 9.81
 def started(text: str, tolerance: float, dimension: int = 2, stop: float = 2.0) -> Integrator:
     gravity = [0, -G] if dimension == 2 else [0, 0, -G]
     head = f'name = "parts"\ndimension = {dimension}\ngravity = {gravity}\n'
-    tail = f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
+    tail = (
+        f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
+    )
     run = Integrator(solver.assemble(solver.loads(head + text + tail)))
     run.initialise()
     return run
@@ -266,7 +268,9 @@ def test_a_damped_part_comes_to_rest_alone_and_beside_another(other, tolerance, 
         text += damped("A", 3.0, 100.0, other)
         laws["A"] = (100.0, other)
     run = solver.Integrator(
-        solver.assemble(solver.loads(f"{text}[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n")),
+        solver.assemble(
+            solver.loads(f"{text}[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n")
+        ),
         log=lambda _: None,
     )
     for _ in range(round(5.0 / step)):

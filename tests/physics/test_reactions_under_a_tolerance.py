@@ -146,7 +146,11 @@ velocity = [0, 0.4, 0]
 angular_velocity = [0, 0, 1.0]
 [joints]
 h1 = {{ type = "{kind}", bodies = ["ground", "door"], position = [0, 0, {low}], axis = [0, 0, 1] }}
-h2 = {{ type = "revolute", bodies = ["ground", "door"], position = [0, 0, {high}], axis = [0, 0, 1] }}
+[joints.h2]
+type = "revolute"
+bodies = ["ground", "door"]
+position = [0, 0, {high}]
+axis = [0, 0, 1]
 """
 
 

@@ -143,7 +143,8 @@ def test_a_tiny_load_drives_a_pole_from_its_balance(
 ) -> None:
     """An upright pole falls as cosh w t; at first round-off of the energy is much of its motion.
 
-    In communication steps of 0.05 s, which are the longest, pairs change w by (w h)^2/12 = 3e-3 of it at most.
+    In communication steps of 0.05 s, which are the longest, pairs change w by (w h)^2/12, 3e-3 of
+    it at most.
     """
     text = (
         PLANE

@@ -1001,8 +1001,14 @@ def _(how: str) -> None:
 
 @right("tree_of_25", "at 1e-7 a second takes at most 1000 internal steps")
 def _() -> None:
-    found = run(text_of("tree_of_25"), 1.0, 0.1, ["solver.substeps", "torso.x"], tolerance=1e-7,
-                method="fastest")
+    found = run(
+        text_of("tree_of_25"),
+        1.0,
+        0.1,
+        ["solver.substeps", "torso.x"],
+        tolerance=1e-7,
+        method="fastest",
+    )
     assert found["solver.substeps"].sum() < 1000
 
 
