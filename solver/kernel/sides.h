@@ -14,7 +14,7 @@ static inline const switch_place *switch_of(const context *c, int32_t k) { retur
 static int is_off_side(int kind, double g, double side)
 {
     if (g != g || side != side) return (g != g) != (side != side);
-    if (kind == SWITCH_LEVEL) return !(g >= side && g < side + 1.0);
+    if (kind == SWITCH_LEVEL) return !(g >= side && g <= side + 1.0);
     return side > 0.0 ? g < 0.0 : side < 0.0 ? g > 0.0 : g != 0.0;
 }
 

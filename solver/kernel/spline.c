@@ -132,13 +132,12 @@ void hm_spline_range(int order, double low, double high, const double *first, co
     }
     const spot from = spot_of(low, row, count, period), to = spot_of(high, row, count, period);
     const double turns = to.turns - from.turns;
-    for (int32_t k = 0; k < count; k++) { /* rows of the last period come first where it is another one */
+    for (int32_t k = 0; k < count; k++) { /* between both, or behind the first and before the last one, in another period */
         const double begin = k ? row[ROW * k] : -INFINITY, end = k + 1 < count ? row[ROW * (k + 1)] : INFINITY;
-        const int is_before = turns > 0.0 && k >= from.row && k + 1 < count, is_behind = turns > 0.0 && k > 0 && k <= to.row;
-        const double x0 = turns > 1.0 ? begin : fmax(begin, from.x), x1 = turns > 1.0 ? end : fmin(end, to.x);
-        if (turns == 0.0 && k >= from.row && k <= to.row) widen_by_row(row + ROW * k, order, x0, x1, found);
-        if (turns > 1.0 && k > 0 && k + 1 < count) widen_by_row(row + ROW * k, order, begin, end, found);
-        if (turns == 1.0 && is_before) widen_by_row(row + ROW * k, order, fmax(begin, from.x), end, found);
-        if (turns == 1.0 && is_behind) widen_by_row(row + ROW * k, order, begin, fmin(end, to.x), found);
+        const int is_within = k > 0 && k + 1 < count;
+        if (turns == 0.0 && k >= from.row && k <= to.row) widen_by_row(row + ROW * k, order, fmax(begin, from.x), fmin(end, to.x), found);
+        if (turns > 1.0 && is_within) widen_by_row(row + ROW * k, order, begin, end, found);
+        if (turns == 1.0 && is_within && k >= from.row) widen_by_row(row + ROW * k, order, fmax(begin, from.x), end, found);
+        if (turns == 1.0 && is_within && k <= to.row) widen_by_row(row + ROW * k, order, begin, fmin(end, to.x), found);
     }
 }

@@ -16,6 +16,23 @@ static double side_after(int kind, hm_jet g)
     return floor(g.value) - (g.value == floor(g.value) && hm_falls(g));
 }
 
+static double argument_at(const context *c, const switch_place *x, double t)
+{
+    load_inputs(c, t);
+    c->number[c->m->time_at] = t;
+    hm_run_tape(c->m, c->number, x->segment);
+    return c->number[x->argument];
+}
+
+#define A_LITTLE_LATER 2.4e-7 /* [s], when arguments tell where they go that begin with neither a rate nor a second derivative */
+
+/* Side on which the argument of a switch of the time is just after t, where its jet does not tell. */
+HM_SELDOM static double side_later(const context *c, const switch_place *x, double t)
+{
+    const double g = argument_at(c, x, (t + A_LITTLE_LATER));
+    return side_after(x->kind, (hm_jet){g, 0.0, 0.0});
+}
+
 /* Values and rates of all arguments at time t and the present state, with the sides as they are. */
 HM_SELDOM static void run_arguments(const context *c, double t)
 {
@@ -45,7 +62,10 @@ HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
         run_arguments(c, t);
         for (int32_t k = 0; k < m->n_switches; k++) {
             const int32_t at = switch_of(c, k)->argument;
-            const double side = side_after(switch_of(c, k)->kind, (hm_jet){c->number[at], c->k.jet[2 * at], c->k.jet[2 * at + 1]});
+            const switch_place *x = switch_of(c, k);
+            const hm_jet g = {c->number[at], c->k.jet[2 * at], c->k.jet[2 * at + 1]};
+            const int is_told = x->is_of_motion || g.rate != 0.0 || g.bend != 0.0 || g.value != (x->kind == SWITCH_LEVEL ? floor(g.value) : 0.0);
+            const double side = is_told ? side_after(x->kind, g) : side_later(c, x, t);
             changed |= memcmp(&side, c->s.side + k, sizeof side) != 0;
             c->s.side[k] = side;
         }
@@ -89,21 +109,13 @@ HM_SELDOM static const double *range_between(const context *c, const switch_plac
     return c->k.bounds + 4 * (int64_t)x->argument;
 }
 
-static double argument_at(const context *c, const switch_place *x, double t)
-{
-    load_inputs(c, t);
-    c->number[c->m->time_at] = t;
-    hm_run_tape(c->m, c->number, x->segment);
-    return c->number[x->argument];
-}
-
 enum { UPWARDS = 1, DOWNWARDS = -1, ANYWHERE = 0 };
 
 /* Whether an argument has left its side in a direction; at the beginning it may still be on the other one by rounding. */
 static int has_left(int kind, double g, double side, int direction)
 {
     if (direction == ANYWHERE || g != g || side != side || (kind == SWITCH_SIGN && side == 0.0)) return is_off_side(kind, g, side);
-    if (direction == UPWARDS) return kind == SWITCH_SIGN ? side < 0.0 && g > 0.0 : g >= side + 1.0;
+    if (direction == UPWARDS) return kind == SWITCH_SIGN ? side < 0.0 && g > 0.0 : g > side + 1.0;
     return kind == SWITCH_SIGN ? side > 0.0 && g < 0.0 : g < side;
 }
 
@@ -125,7 +137,7 @@ enum { DEEPEST = 48, MOST_RANGES = 4000 }; /* halvings of an interval; ranges lo
 HM_SELDOM static double leaves_between(const context *c, const switch_place *x, double side, double a, double b, int depth, int *left)
 {
     const double *range = range_between(c, x, a, b);
-    const int stays = x->kind == SWITCH_LEVEL ? range[0] >= side && range[1] < side + 1.0
+    const int stays = x->kind == SWITCH_LEVEL ? range[0] >= side && range[1] <= side + 1.0
                                               : side > 0.0 ? range[0] >= 0.0 : side < 0.0 ? range[1] <= 0.0 : range[0] == 0.0 && range[1] == 0.0;
     if (stays) return INFINITY;
     if (side != side) return first_left(c, x, side, ANYWHERE, a, b);
