@@ -64,7 +64,7 @@ def test_pairs_are_judged_after_events_through(name):
 
 
 def test_angles_of_many_turns_do_not_shorten_steps_to_nothing():
-    """Round-off of an angle of 55 rad, over the length of a step, is no error that shorter steps would lessen."""
+    """Round-off of an angle of 55 rad over a step is no error that shorter steps would lessen."""
     run = Integrator(solver.assemble(solver.load(SCENES / "gear_pair_with_backlash.toml")))
     run["solver.tolerance"], run["solver.order"], run["solver.step_size"] = 1e-9, 0.0, 0.0
     for _ in range(5):
