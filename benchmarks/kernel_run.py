@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from solver.options import step_of
 from solver.runtime import Integrator, Model
 
 
@@ -17,7 +18,7 @@ def run(path: str, steps: int) -> int:
     model = Model.from_bytes(Path(path).read_bytes())
     integrator = Integrator(model)
     integrator.initialise()
-    integrator.advance(integrator.time, steps * float(integrator["solver.step_size"]))
+    integrator.advance(integrator.time, steps * step_of(model.settings))
     return round(float(integrator["solver.substeps"]))
 
 

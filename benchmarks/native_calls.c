@@ -36,7 +36,7 @@
     X(core, double *, holonom_state_of, (holonom_instance *)) \
     X(core, double *, holonom_work_of, (holonom_instance *)) \
     X(core, int64_t, holonom_state_size, (const holonom_model *)) \
-    X(core, int32_t, holonom_advance, (const holonom_model *, double *, double *, double *, double, holonom_watch *))
+    X(core, int32_t, holonom_advance, (const holonom_model *, double *, double *, double *, double, holonom_watch *, holonom_mesh *))
 #define DECLARE(library, result, name, arguments) static result(*call_##name) arguments;
 FUNCTIONS(DECLARE)
 
@@ -114,7 +114,7 @@ static void core_goes_back(void) { memcpy(state, state_kept, state_bytes); }
 
 static void core_step(double t)
 {
-    require(!call_holonom_advance(model, numbers, state, work, (t - state[S_TIME]) + h, NULL), "holonom_advance fails");
+    require(!call_holonom_advance(model, numbers, state, work, (t - state[S_TIME]) + h, NULL, NULL), "holonom_advance fails");
     state[S_TIME] = t + h;
 }
 

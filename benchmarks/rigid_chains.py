@@ -15,6 +15,7 @@ from benchmarks.report import Goal, Section, Table, Value, exponent
 from benchmarks.stepping import Repeated
 from benchmarks.timing import Times, interleave
 from scenes.generate import hanging_chain, n_four_bar, rigid_chain
+from solver.options import step_of
 
 STEPS_TIMES_BODIES = 5_000
 WARM_UP = 5
@@ -111,7 +112,7 @@ def measure(effort: Effort) -> Section:
 
 def _case(family: Family, n: int, effort: Effort) -> Case:
     integrator = start_scene(solver.loads(family.text(n), name=f"{family.name}.toml"))
-    h = float(integrator["solver.step_size"])
+    h = step_of(integrator.model.settings)
     count = effort.count(max(5, STEPS_TIMES_BODIES // family.bodies(n)), least=2)
     repeated = Repeated(integrator, h, count, WARM_UP)
     return Case(family, n, h, repeated)

@@ -11,8 +11,9 @@ from benchmarks.effort import Effort
 from benchmarks.exudyn_peer import METHOD, Job, beside, measured
 from benchmarks.mechanisms import start_scene
 from benchmarks.report import Goal, Section, Table, Value
-from benchmarks.stepping import Repeated
+from benchmarks.stepping import Repeated, in_equal_steps
 from benchmarks.timing import Entry, Times, interleave
+from solver.options import step_of
 from tests.scene_files import SMOOTH
 
 LONGEST = 500
@@ -87,7 +88,8 @@ def measure(effort: Effort) -> Section:
         name="mechanisms",
         title="Mechanisms",
         method=(
-            "Every scene of `scenes/` without contacts from its start, with its own settings; a "
+            "Every scene of `scenes/` without contacts from its start, with its own settings, "
+            "or equal steps of 10 ms where it has none; a "
             f"repetition is its whole experiment, or its first {LONGEST} internal steps. Energy "
             "and constraint at the end of a repetition. The communication step is that of the "
             f"scene's experiment, without reading outputs. {METHOD}"
@@ -103,10 +105,10 @@ def measure(effort: Effort) -> Section:
 
 
 def _case(path: Path, effort: Effort) -> Case:
-    scene = solver.load(path)
+    scene = in_equal_steps(path)
     integrator = start_scene(scene)
     experiment = integrator.model.experiment
-    period, h = experiment.step_size, float(integrator["solver.step_size"])
+    period, h = experiment.step_size, step_of(integrator.model.settings)
     steps = max(1, round(period / h))
     longest = min(LONGEST, round((experiment.stop_time - experiment.start_time) / h))
     communications = max(1, effort.count(longest) // steps)

@@ -26,7 +26,7 @@ from benchmarks.mechanisms import (
     waving_chain,
 )
 from benchmarks.report import Section, Table, Value
-from benchmarks.stepping import Repeated
+from benchmarks.stepping import Repeated, in_equal_steps
 from benchmarks.timing import Entry, Times, interleave
 from build_kernel.compiler import (
     DIMENSIONS,
@@ -37,6 +37,7 @@ from build_kernel.compiler import (
     compile_library,
 )
 from scenes.generate import rigid_chain
+from solver.options import step_of
 from solver.runtime import Integrator, Model
 from solver.runtime.kernel import load_library
 from tests.kernel_calls import kernel_of
@@ -114,7 +115,7 @@ def mechanisms(largest: int) -> dict[str, tuple[Model, int]]:
         "four-bar (A02), N = 2": (model_of(four_bar()), 5),
     }
     for name, parts in (("andrews", 7), ("heavy_top", 1)):
-        found[name] = (solver.assemble(solver.load(ROOT / "scenes" / f"{name}.toml")), parts)
+        found[name] = (solver.assemble(in_equal_steps(ROOT / "scenes" / f"{name}.toml")), parts)
     for n in (10, 100, 1000):
         if n <= largest and n > 10:
             found[f"spatial point chain, N = {n}"] = (model_of(waving_chain(n, 3)), n)
@@ -135,7 +136,7 @@ def model_of(content: Content) -> Model:
 
 def _repeated(integrator: Integrator, parts: int, effort: Effort) -> Repeated:
     count = effort.count(max(5, STEPS_TIMES_PARTS // parts), least=2)
-    return Repeated(integrator, float(integrator["solver.step_size"]), count)
+    return Repeated(integrator, step_of(integrator.model.settings), count)
 
 
 # ---------------------------------------------------------------------------------- sections

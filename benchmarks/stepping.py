@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import solver
 from benchmarks.report import Value
 from benchmarks.timing import Entry, Times
+from solver.options import USUAL_STEP, tolerance_of
 from solver.runtime import Integrator, StepError
 
 WARM_UP = 20
+
+
+def in_equal_steps(path: Path) -> solver.Scene:
+    """Scene of a file; in equal steps of `USUAL_STEP` where it chooses none."""
+    scene = solver.load(path)
+    if scene.solver.tolerance or not tolerance_of(vars(scene.solver)):
+        return scene
+    return solver.load(path, {"solver.step_size": USUAL_STEP})
 
 
 class Repeated:

@@ -17,6 +17,7 @@ import numpy as np
 
 from build_fmu.motion import LOSSES, OF_THE_SOLUTION, quaternions_among, rotation_between
 from build_fmu.reference import ROUND_OFF
+from solver.options import USUAL_TOLERANCE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,10 +37,12 @@ STATE = (*PATH, "m/s", "rad/s")
 NO_PATH = tuple(unit for unit in KINDS if unit not in PATH)
 NO_PATH_TIMES = 10.0
 """Times the error of a path that one of velocities and forces may be: it has a larger constant."""
-AIM = 1e-4
-"""Error of equal steps, relative or in rad, for which a step is proposed."""
+SHORTER = 0.95
+"""Rounding to two digits makes a step at most 5 % longer."""
+TOO_LONG = "are too long for this motion"
+"""Of equal steps; the FMU's log, which cannot measure the error, says the same of its estimate."""
 MOST_TIMES = 10.0
-"""Times the tolerance, or AIM, that an error may be without a warning."""
+"""Times the tolerance, or USUAL_TOLERANCE, that an error may be without a warning."""
 LOST = 0.1
 """Difference of paths over the size, or in rad, beyond which it no longer grows freely."""
 SEEN = 1e-3
@@ -175,7 +178,7 @@ class Verdict:
     sentence : str
         For the user.
     is_warning : bool
-        Whether the error is more than MOST_TIMES what was asked for, or AIM.
+        Whether the error is more than MOST_TIMES what was asked for, or USUAL_TOLERANCE.
     """
 
     error: float
@@ -187,11 +190,11 @@ _SAME = Verdict(0.0, "both runs are the same, which does not show how exact they
 
 
 def of_equal_steps(seen: Comparison, order: float, step: float, remedy: str = "") -> Verdict:
-    """Judge a run with equal steps [s] by one with half of the step; `remedy` is another one."""
+    """Judge a run with equal steps [s] by one with half of the step; `remedy` comes first."""
     if seen.is_none:
         return _SAME
     factor = 2.0**order / (2.0**order - 1.0)
-    error, limit = factor * seen.path, MOST_TIMES * AIM
+    error, limit = factor * seen.path, MOST_TIMES * USUAL_TOLERANCE
     if seen.path > LOST and seen.growth[0] >= GROWTH:
         return Verdict(error, _of_chaos(seen, limit), is_warning=True)
     beyond = seen.beyond(PATH, limit / factor)
@@ -202,11 +205,11 @@ def of_equal_steps(seen: Comparison, order: float, step: float, remedy: str = ""
             error, f"its path is off by about {_in_words(error, seen)}", is_warning=False
         )
     worst = max(each.relative for each in beyond if error <= limit or each.unit in PATH)
-    shorter = _rounded_down(step * (AIM / (factor * worst)) ** (1.0 / order))
+    shorter = SHORTER * step * (USUAL_TOLERANCE / (factor * worst)) ** (1.0 / order)
     told = ", ".join(each.told(factor) for each in beyond)
     sentence = (
-        f"steps of {step:.3g} s are too long for this motion: it is off in {told}; remedy: "
-        f"{remedy}solver.step_size <= {shorter:g} s, for an error of {AIM:g}"
+        f"steps of {step:.3g} s {TOO_LONG}: it is off in {told}; {remedy}"
+        f"set solver.step_size <= {shorter:.2g} s, for an error of {USUAL_TOLERANCE:g}"
     )
     return Verdict(error, sentence, is_warning=True)
 
@@ -276,9 +279,3 @@ def _within_a_turn(name: str, difference: NDArray[np.float64]) -> NDArray[np.flo
     if name.endswith(".angle"):
         return difference
     return abs(difference - 2.0 * np.pi * np.round(difference / (2.0 * np.pi)))
-
-
-def _rounded_down(step: float) -> float:
-    """Return two digits of a number > 0."""
-    unit = 10.0 ** (math.floor(math.log10(step)) - 1)
-    return float(f"{math.floor(step / unit * (1.0 + 1e-9)) * unit:.2g}")

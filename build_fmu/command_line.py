@@ -151,7 +151,7 @@ def _parser() -> argparse.ArgumentParser:
         text = f"largest relative {name} error that passes (default: %(default)s)"
         check.add_argument(f"--{name}", type=float, default=1e-9, metavar="LIMIT", help=text)
     text = "largest error of the path that passes, of places over the size, of angles in rad, as a "
-    text += "run with a tenth of the tolerance or half the step shows it (default: any)"
+    text += "run with a tenth of the tolerance or less, or half the step, shows it (default: any)"
     check.add_argument("--accuracy", type=float, metavar="LIMIT", help=text)
     report = commands.add_parser("report", help="write a page of a run of any importer")
     report.add_argument("target", metavar="SCENE|FMU")

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import sysconfig
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from build_fmu.payload import package_folder
 from build_fmu.report import as_text
@@ -120,7 +120,7 @@ def page(model: Model, seen: SelfCheck, needs: str = _NEEDS, fmi: int = 2) -> st
         needs=needs,
         fmi=fmi,
         picture=PICTURES[fmi],
-        solved=escape(solved(model)),
+        solved=escape(solved(model, seen)),
         accuracy=escape(accuracy(model, seen)),
         tables="\n".join(filter(None, tables)),
     )
@@ -130,27 +130,26 @@ def _section(variable: Variable) -> str:
     return _SETTINGS if variable.kind == "option" else variable.causality
 
 
-def solved(model: Model) -> str:
+def steps_of(settings: Mapping[str, Any], is_explicit: bool) -> str:
+    """What steps these settings choose; `is_explicit` says whether some of them may be."""
+    if tolerance := tolerance_of(settings):
+        kind = "explicit and conserving" if is_explicit else "conserving"
+        return f"{kind} steps, chosen for a relative error of the run of {tolerance:g}"
+    is_stepped = settings.get("contact_mode") == "stepped"
+    order = 2.0 if is_stepped else float(settings["order"]) or 2.0
+    text = f"conserving steps of order {order:g}, of at most {step_of(settings):g} s"
+    ignored = ": contact_mode stepped takes equal steps, whatever the tolerance"
+    return f"{text}{ignored if is_stepped and settings['tolerance'] else ''}"
+
+
+def solved(model: Model, seen: SelfCheck) -> str:
     """Sentences on size and method."""
-    sizes = model.sizes
+    sizes, settings = model.sizes, model.settings
     coordinates = counted(sizes["dim"] * sizes["n_free"], "coordinate")
     islands = sizes["n_islands"]
     apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
     rows = counted(sizes["n_rows"], "constraint row")
-    return f"{coordinates} and {rows}{apart}, solved in {steps(model)}."
-
-
-def steps(model: Model) -> str:
-    """Words on kind, lengths and order of internal steps."""
-    settings = model.settings
-    if tolerance := tolerance_of(settings):
-        kind = "explicit or conserving" if settings["method"] == "fastest" else "conserving"
-        return f"{kind} steps chosen for a relative error of the run of {tolerance:g}"
-    is_stepped = settings.get("contact_mode") == "stepped"
-    order = 2.0 if is_stepped else float(settings["order"]) or 2.0
-    text = f"conserving internal steps of at most {step_of(settings):g} s, of order {order:g}"
-    ignored = ": contact_mode stepped takes equal steps, whatever the tolerance"
-    return f"{text}{ignored if is_stepped and settings['tolerance'] else ''}"
+    return f"{coordinates} and {rows}{apart}, solved in {steps_of(settings, seen.is_explicit)}."
 
 
 def accuracy(model: Model, seen: SelfCheck) -> str:

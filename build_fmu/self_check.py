@@ -53,6 +53,8 @@ class SelfCheck:
         that turns.
     largest : mapping of str to float
         Largest size of what moves, by unit.
+    is_explicit : bool
+        Whether any step was explicit.
     taken : mapping of str to float
         Energy that each cause has taken out until the end [J], of a mechanism with contacts or
         friction.
@@ -68,6 +70,7 @@ class SelfCheck:
     position_error: float | None = None
     rotation_error: float | None = None
     largest: Mapping[str, float] = field(default_factory=dict)
+    is_explicit: bool = False
     taken: Mapping[str, float] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
 
@@ -102,6 +105,7 @@ def self_check(model: Model) -> SelfCheck:
         position_error=apart and apart[0],
         rotation_error=apart[1] if apart and poses.turn else None,
         largest=largest,
+        is_explicit=sizes.get("solver.method_in_use", 0.0) > 1.0,
         taken=losses(dict(zip(names, rows[-1].tolist(), strict=True))) if len(rows) else {},
         remarks=tuple(said),
     )

@@ -188,6 +188,7 @@ def _enumerations(layout: Declared, errors: Declared) -> Iterator[str]:
         ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
         ("CONTACT", "C_", "SIZE"), ("FRICTION", "F_", "SIZE"), ("NORMAL_SUMS", "NORMAL_", "SUMS"),
         ("CONTACT_MODES", "CONTACT_", "MODES"), ("FRICTION_MODES", "FRICTION_", "MODES"),
+        ("MESH", "MESH_", "SIZE"), ("MESH_TAKEN", "TAKEN_", "WAYS"), ("MESH_ENDS", "END_", "WAYS"),
         ("CLOSINGS", "CLOSING_", "WAYS"), ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
     ):  # fmt: skip
         yield _enumeration(layout, table, prefix, values[table], last)

@@ -77,15 +77,28 @@ def _in_python(kind: str, values: Any) -> list:
 
 
 def _getter(kind: str) -> Any:
+    """Return a method that hands out no NaN."""
+
     def get(self: Slave, vrs: list[int]) -> list:
-        return self._get(kind, vrs)
+        values = (TYPES[kind] * len(vrs))()
+        call = self._call if "assembly" in self._refusals else self._ask  # that was told already
+        call(f"fmi2Get{kind}", *_references((*vrs,)), values)
+        return _in_python(kind, values)
 
     # After an interrupt, which spoils no value, once more.
     return shielded(get, lambda _, vrs: _in_python(kind, (TYPES[kind] * len(vrs))()))(get)
 
 
 def _setter(kind: str) -> Any:
-    return shielded()(lambda self, vrs, values: self._set(kind, vrs, values))
+    """Return a method that takes all values, or none and a line in the log."""
+
+    def set_values(self: Slave, vrs: list[int], values: Sequence) -> None:
+        if kind == "String":
+            values = [None if v is None else v.encode("utf-8", "surrogateescape") for v in values]
+        given = (TYPES[kind] * len(vrs))(*values)
+        self._try(vrs, status.VALUE_REFUSED, f"fmi2Set{kind}", *_references((*vrs,)), given)
+
+    return shielded()(set_values)
 
 
 class Slave(Fmi2Slave):
@@ -146,24 +159,29 @@ class Slave(Fmi2Slave):
             self._said.clear()
         return answer
 
-    def _tell(self) -> None:
-        """Log why the last call was refused, if it was."""
+    def _ask(self, name: str, *arguments: object) -> int:
+        """Call a function of the library, and log why it refuses; its status."""
+        answer = self._call(name, *arguments)
         for text in self._said:
             self.say(text, status.ERROR)
+        return answer
 
-    def _refuse(self, what: Sequence[int | str], code: int, text: str = "") -> None:
-        """Remember what was refused, and why: no step is taken while this stands."""
-        if text := text or "; ".join(self._said):
-            self._front.refusal = code
-            self._refusals.update(dict.fromkeys(what, text))
-            self.say(text, status.ERROR)
-
-    def _accept(self, what: Sequence[int | str]) -> None:
-        """Forget what was refused of this, as it is well now."""
+    def _try(self, what: Sequence[int | str], code: int, name: str, *arguments: object) -> None:
+        """Call a function of the library, and remember what it refuses, until that is well."""
+        if self._call(name, *arguments):
+            self._refuse(what, code, *self._said)
+            return
         for each in what if self._refusals else ():
             self._refusals.pop(each, None)
         if not self._refusals:
             self._front.refusal = 0
+
+    def _refuse(self, what: Sequence[int | str], code: int, *why: str) -> None:
+        """Remember what was refused, and why: no step is taken while this stands."""
+        if text := "; ".join(why):
+            self._front.refusal = code
+            self._refusals.update(dict.fromkeys(what, text))
+            self.say(text, status.ERROR)
 
     def broken(self, error: BaseException) -> None:
         """Refuse all steps after a call that an exception broke: nobody knows where it left things.
@@ -176,62 +194,32 @@ class Slave(Fmi2Slave):
             text = f"{what}: {type(error).__name__}: {error}"
         self._refuse(["break"], code, f"{text}; restore a saved state, or reset the instance")
 
-    # ------------------------------------------------------------------------ initialisation
-
     @shielded()
     def setup_experiment(self, start_time, stop_time=None, tolerance=None) -> None:
         """Take start and stop time and, where the scene asks for a tolerance, this one."""
-        is_early = self._front.phase == INSTANTIATED
         times = c_double(start_time), stop_time is not None, c_double(stop_time or 0.0)
-        limit = tolerance is not None, c_double(tolerance or 0.0)
-        if not self._call("fmi2SetupExperiment", *limit, *times):
-            self._accept(["experiment"])
-        elif is_early:
-            self._refuse(["experiment"], status.VALUE_REFUSED)
+        given = tolerance is not None, c_double(tolerance or 0.0), *times
+        if self._front.phase == INSTANTIATED:
+            self._try(["experiment"], status.VALUE_REFUSED, "fmi2SetupExperiment", *given)
         else:
-            self._tell()
+            self._ask("fmi2SetupExperiment", *given)
 
     @shielded()
     def enter_initialization_mode(self) -> None:
         """Begin initialisation; outputs may be read from now on."""
-        self._call("fmi2EnterInitializationMode")
-        self._tell()
+        self._ask("fmi2EnterInitializationMode")
 
     @shielded()
     def exit_initialization_mode(self) -> None:
         """Assemble the mechanism with the parameters that have arrived."""
-        is_early = self._front.phase == INITIALIZING
-        refused = self._call("fmi2ExitInitializationMode")
-        if not is_early:
-            self._tell()
+        if self._front.phase != INITIALIZING:
+            self._ask("fmi2ExitInitializationMode")
             return
+        self._try(["assembly"], status.ASSEMBLY_FAILED, "fmi2ExitInitializationMode")
         self._front.phase = STEPPING  # the importer hears of no error, and goes on
-        if refused:
-            self._refuse(["assembly"], status.ASSEMBLY_FAILED)
 
-    # --------------------------------------------------------------------------------- values
-
-    # A getter never hands out NaN; a setter takes all values, or none and a line in the log.
     get_real, get_integer, get_boolean, get_string = map(_getter, TYPES)
     set_real, set_integer, set_boolean, set_string = map(_setter, TYPES)
-
-    def _get(self, kind: str, vrs: list[int]) -> list:
-        values = (TYPES[kind] * len(vrs))()
-        self._call(f"fmi2Get{kind}", *_references((*vrs,)), values)
-        if "assembly" not in self._refusals:
-            self._tell()
-        return _in_python(kind, values)
-
-    def _set(self, kind: str, vrs: list[int], values: Sequence) -> None:
-        if kind == "String":
-            values = [None if v is None else v.encode("utf-8", "surrogateescape") for v in values]
-        given = (TYPES[kind] * len(vrs))(*values)
-        if self._call(f"fmi2Set{kind}", *_references((*vrs,)), given):
-            self._refuse(vrs, status.VALUE_REFUSED)
-        else:
-            self._accept(vrs)
-
-    # ---------------------------------------------------------------------------------- steps
 
     @shielded(lambda *_: False)
     def do_step(self, current_time: float, step_size: float) -> bool:
@@ -252,17 +240,13 @@ class Slave(Fmi2Slave):
     @shielded()
     def terminate(self) -> None:
         """End the run; values can still be read."""
-        self._call("fmi2Terminate")
-        self._tell()
-
-    # ---------------------------------------------------------------------------------- state
+        self._ask("fmi2Terminate")
 
     @shielded(lambda _: b"")
     def _get_fmu_state(self) -> Any:
         """Return the state of the library, and in a last line what was refused, with a checksum."""
         kept, size = c_void_p(), c_size_t()
-        if self._call("fmi2GetFMUstate", byref(kept)):
-            self._tell()
+        if self._ask("fmi2GetFMUstate", byref(kept)):
             return b""
         self._call("fmi2SerializedFMUstateSize", kept, byref(size))
         data = ctypes.create_string_buffer(size.value)
@@ -279,7 +263,7 @@ class Slave(Fmi2Slave):
             data = b""  # which is no state
         given = data, c_size_t(len(data)), byref(kept)
         if self._call("fmi2DeSerializeFMUstate", *given) or self._call("fmi2SetFMUstate", kept):
-            self._refuse(["state"], status.STATE_REFUSED)
+            self._refuse(["state"], status.STATE_REFUSED, *self._said)
         else:
             self._refusals = dict(json.loads(refused[8:]))
         self._call("fmi2FreeFMUstate", byref(kept))

@@ -18,14 +18,15 @@ from solver.extras import from_homes
 if TYPE_CHECKING:
     from solver.closing import Closing, close
     from solver.mechanics import assemble
+    from solver.mesh import Mesh
     from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
     from solver.scene import Scene, SceneError, SceneWarning, load, loads
     from solver.trajectory import Trajectory, simulate
 
 __all__ = ["AssemblyError", "Integrator", "Model", "OptionError", "StepError"]
-__all__ += ["Closing", "Scene", "SceneError", "SceneWarning", "Trajectory"]
+__all__ += ["Closing", "Mesh", "Scene", "SceneError", "SceneWarning", "Trajectory"]
 __all__ += ["assemble", "close", "load", "loads", "simulate"]
 
 # `solver.runtime` alone must not bring NumPy or the scene reader: what takes longest comes last.
-_HOMES = "runtime", "scene", "mechanics", "trajectory", "closing"
+_HOMES = "runtime", "scene", "mechanics", "mesh", "trajectory", "closing"
 __getattr__, __dir__ = from_homes(__name__, __all__, [f"solver.{home}" for home in _HOMES])

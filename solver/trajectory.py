@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
@@ -13,6 +13,7 @@ import numpy as np
 
 from solver.extras import imported
 from solver.mechanics import assemble
+from solver.mesh import Mesh, Recording, Repeating
 from solver.options import OPTIONS
 from solver.runtime import Integrator, Model, OptionError, StepError
 from solver.runtime.errors import UnknownNameError, tell
@@ -59,6 +60,8 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
     """Of the run [s]."""
     moments: Sequence[Moment] = ()
     """Start and end of each step by the method of `solver.paper`, with what every iteration did."""
+    mesh: Mesh | None = None
+    """Internal steps, if they were recorded."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """Return the values of one variable."""
@@ -163,6 +166,8 @@ def simulate(
     parameters: Mapping[str, float] | None = None,
     inputs: Mapping[str, Any] | None = None,
     outputs: Sequence[str] | None = None,
+    record_mesh: bool = False,
+    mesh: Mesh | None = None,
     **options: float | str | bool,
 ) -> Trajectory:
     """Run a mechanism and return its trajectory.
@@ -185,6 +190,14 @@ def simulate(
         arrays and functions as given, also where ``limit = "clip"`` changes what acts.
     outputs : sequence of str, optional
         Variables to collect; all inputs and outputs where left out.
+    record_mesh : bool, optional
+        Whether the trajectory has its internal steps as `mesh`.
+    mesh : Mesh, optional
+        Internal steps of a run of this mechanism, or one that differs in its numbers alone, to be
+        repeated: results are smooth functions of parameters and start values, and the same to the
+        last bit where these are the same (but for ``solver.*``, which tell of this run). Steps end
+        where contacts and laws change now; if these change in another order, the step fails. The
+        settings of the solver are those of the recorded run.
     **options
         Settings of the solver, such as ``tolerance=1e-6``; the internal step is ``internal_step``.
         One of `formulation`, `algorithm`, `multiplier_update`, `xi` and `omega` [rad/s] asks for
@@ -206,6 +219,7 @@ def simulate(
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model)
     by_paper = bool({*PAPER} & options.keys())
+    _check_mesh(options, record_mesh, mesh)
     method = _method(options, inputs or {}) if by_paper else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
@@ -214,6 +228,8 @@ def simulate(
         if name.removeprefix("solver.") not in OPTIONS:
             raise UnknownNameError(name, [f"solver.{x}" for x in (*OPTIONS, *PAPER)])
     held = {name: value for name, value in (inputs or {}).items() if not changes(value)}
+    if mesh:
+        settings = mesh.settings_for(model)
     for name, value in {**(parameters or {}), **held, **settings}.items():
         integrator[name] = value
     names = _collected(model, outputs)
@@ -234,9 +250,16 @@ def simulate(
         for name in signals.values.keys() & set(names):
             table[:, names.index(name)] = signals.values[name][: len(rows)]
         spent = perf_counter() - begin
-        return Trajectory(np.array(times)[: len(rows)], names, table, model, given, spent, moments)
+        recorded = follower.mesh(signals.times) if isinstance(follower, Recording) else None
+        reached = np.array(times)[: len(rows)]
+        return Trajectory(reached, names, table, model, given, spent, moments, recorded)
 
-    motion = _rows(integrator, signals, places)
+    follower = integrator
+    if record_mesh:
+        follower = Recording(integrator)
+    elif mesh:
+        follower = Repeating(integrator, mesh, signals.times)
+    motion = _rows(integrator, signals, places, follower.advance)
     if by_paper:
         from solver.paper_scenes import run
 
@@ -248,6 +271,19 @@ def simulate(
         error.trajectory = reached()
         raise
     return reached()
+
+
+def _check_mesh(options: Mapping[str, Any], record_mesh: bool, mesh: Mesh | None) -> None:
+    """Refuse settings beside a mesh, and a mesh of what takes none."""
+    if record_mesh and mesh:
+        message = "record_mesh: a run that repeats a mesh has that one; leave record_mesh out"
+        raise OptionError(message)
+    if mesh and options:
+        message = f"mesh: has the settings of its run; leave {' and '.join(options)} out"
+        raise OptionError(message)
+    if record_mesh and {*PAPER} & options.keys():
+        message = "record_mesh: the paper's method takes equal steps; leave record_mesh out"
+        raise OptionError(message)
 
 
 def _method(options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any]:
@@ -270,7 +306,10 @@ def _method(options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any
 
 
 def _rows(
-    integrator: Integrator, signals: Courses, indices: Sequence[int]
+    integrator: Integrator,
+    signals: Courses,
+    indices: Sequence[int],
+    advance: Callable[[float, float], None],
 ) -> Iterator[list[float | str | bool]]:
     """Values at each communication point; before each step inputs are set to what it needs."""
     driven = [integrator.model.index(name) for name in signals.sent]
@@ -280,7 +319,7 @@ def _rows(
         if driven:
             integrator.set(driven, sent[k])
         if k:
-            integrator.advance(times[k - 1], time - times[k - 1])
+            advance(times[k - 1], time - times[k - 1])
         if k in shown:
             yield integrator.get(indices)
     if driven:  # checks the last values too, which move nothing

@@ -40,7 +40,7 @@ def declared(library: ctypes.CDLL) -> ctypes.CDLL:
         ("evaluate", None, [pointer, pointer, integer]),
         ("initialise", integer, [pointer] * 4),
         ("residuals", None, [pointer] * 6),
-        ("advance", integer, [*[pointer] * 4, ctypes.c_double, pointer]),
+        ("advance", integer, [*[pointer] * 4, ctypes.c_double, pointer, pointer]),
         ("set_inputs", None, [pointer] * 6),
         ("measure", None, [pointer] * 4),
     ):
@@ -85,7 +85,7 @@ class Kernel:
 
     def advance(self, step: float) -> int:
         """Advance the state by `step` [s]; return a status."""
-        return self._library.holonom_advance(*self._pointers, step, None)
+        return self._library.holonom_advance(*self._pointers, step, None, None)
 
     def measure(self) -> None:
         """Fill the measurements in the numbers from the state."""

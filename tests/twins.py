@@ -130,7 +130,7 @@ def vector(integrator: Integrator, *names: str) -> Array:
 
 def internal_step(integrator: Integrator) -> None:
     """Advance by one internal step, a pair of half steps."""
-    integrator.advance(integrator.time, integrator.state.head["step_size"])
+    integrator.advance(integrator.time, integrator.state.head["step_size"] or USUAL_STEP)
 
 
 def advance(integrator: Integrator, count: int) -> None:

@@ -15,7 +15,9 @@ import solver
 from benchmarks.contact.problems import SLIDER_CRANK
 from benchmarks.effort import Effort
 from benchmarks.report import Section, Table, Value
+from benchmarks.stepping import in_equal_steps
 from benchmarks.timing import Entry, Times, interleave
+from solver.options import step_of
 from solver.runtime import Integrator
 from tests.scene_files import TOUCHING
 
@@ -168,7 +170,7 @@ class Run:
     """A scene at its start, with its experiment in communication steps."""
 
     def __init__(self, path: Path, effort: Effort) -> None:
-        self.path, scene = path, solver.load(path)
+        self.path, scene = path, in_equal_steps(path)
         self.bodies = len(scene.bodies) + sum(not point.fixed for point in scene.points.values())
         self.integrator = _started(scene)
         self._start = self.integrator.save()
@@ -210,7 +212,7 @@ class Run:
             "bodies": self.bodies,
             "contacts": sum(each.endswith(".gap") for each in names),
             "order": float(integrator["solver.order_in_use"]),
-            "h": 1e3 * float(integrator["solver.step_size"]),
+            "h": 1e3 * step_of(integrator.model.settings),
             "stop": simulated,
             "cost": 1e3 * times.minimum / simulated,
             "impacts": sum(impacts),

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from build_fmu.documentation import steps
+from build_fmu.documentation import steps_of
 from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
 from build_fmu.errors import UsageError
 from build_fmu.motion import LOSSES
@@ -106,8 +106,8 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
         "prescribed_motions": counts.drivers,
         "velocity_rows": len(of_velocities),
         "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
+        "steps": steps_of(model.settings, model.settings["method"] == "fastest"),
         "step": _step(model, bool(counts.redundant_rows)),
-        "steps": steps(model),
         "experiment": model.experiment._asdict(),
         "variables": [
             {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
@@ -178,8 +178,8 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("mobility", f"{by_rank}, {by_count}"),
         ("degrees of freedom", _freedom(counts)),
         ("separate parts", str(counts.islands)),
-        ("unknowns of a step", _unknowns(document["step"])),
         ("steps", document["steps"]),
+        ("unknowns of a step", _unknowns(document["step"])),
     ]
 
 

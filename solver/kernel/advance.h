@@ -2,9 +2,9 @@
 #ifndef HOLONOM_ADVANCE_H
 #define HOLONOM_ADVANCE_H
 
-#include "control.h"
 #include "fault.h"
 #include "measure.h"
+#include "repeat.h"
 
 /* No polynomial through means and values from before and after a jump. */
 static void start_anew(context *c)
@@ -160,11 +160,12 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
 }
 
 int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step,
-                        holonom_watch *watch)
+                        holonom_watch *watch, holonom_mesh *mesh)
 {
     context c;
     open_context(&c, m, number, state, work);
     c.watch = watch;
+    c.mesh = mesh;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */
@@ -181,7 +182,8 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));
     }
-    if (is_unilateral(m) && may_step_over(status)) {
+    if (repeated_by(&c)) status = status ? status : cover_by_mesh(&c, start, step);
+    else if (is_unilateral(m) && may_step_over(status)) {
         undo_piece(&c, start, c.number[m->time_at]);
         status = step_over(&c, status, start, 0.0, step);
     } else if (!status && is_stepped(&c)) status = cover_stepped(&c, start, 0.0, step);
@@ -202,6 +204,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         return status;
     }
     end_inputs(&c, step);
+    if (!(hm_tolerance(head) > 0.0)) head[S_EQUAL_TIME] += step;
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
     head[S_AT_FAULT] = 0.0;

@@ -76,6 +76,7 @@ typedef struct context {
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
     holonom_watch *watch; /* who may end the start or the step, or NULL                                           */
+    holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL                                    */
 } context;
 
 /* Whether who waits for the start or the step has asked for its end. */
@@ -211,6 +212,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     hm_map_work(m, work, &c->k);
     c->t = c->start = c->s.head[S_TIME];
     c->watch = NULL;
+    c->mesh = NULL;
     c->h = 0.0;
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;

@@ -9,6 +9,7 @@
 #include "stepped.h"
 
 enum { MAX_REPEATS = 40 };
+#define JUMP 1e-12 /* of a driver's place, or over it: round-off of ramps is less */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
 #define REJECTED 2.0  /* times what a step may add, at which it is repeated */
@@ -163,7 +164,32 @@ HM_SELDOM static void bound_across(context *c)
 {
     if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return;
     put_only_velocities_back(c);
+    if (mesh_of(c)) last_row(mesh_of(c))[MESH_PUT_BACK] = 1.0;
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
+}
+
+/* Lets what drivers hold follow signals that have jumped since the last communication step, at once: steps of any length would throw
+   it about as much faster as they are shorter. The work is what energies ask for. Where rows cannot follow, all stays as it is. */
+HM_SELDOM static void follow_jumps(context *c)
+{
+    int jumps = 0, held = 1;
+    signals_at(c, c->t, c->k.signal1);
+    for (int32_t b = 0; b < c->m->n_signals; b++)
+        jumps |= fabs(c->k.signal1[b] - c->s.signal[b]) > JUMP * fmax(1.0, fabs(c->s.signal[b]));
+    if (!jumps) return;
+    context at = rows_at_state(c);
+    double *before = c->k.whole_backup;
+    keep_state(c, before);
+    keep_motion(c, 0.0);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    place_driven(c);
+    take_unknowns(&at);
+    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
+    /* Velocities of a body that has turned far want factors of where it is now. */
+    if (held || factorise_here(&at) || !put_velocities_back(c, &at)) take_state(c, before);
+    else follow_turns(c);
+    c->s.head[S_MEAN_TIME] = INFINITY;
+    forget_halves(c);
 }
 
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
@@ -172,6 +198,8 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0; /* half steps before those of the present moment */
     int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
     int repeats = 0;
+    c->t = start;
+    if (c->m->n_signals) follow_jumps(c);
     begin_control(c);
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;
@@ -227,6 +255,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             if (is_to_be_cut(c, status, h)) continue;
             return step_over(c, status, start, done, step);
         }
+        if (ends_at_switch && covered == h && mesh_of(c) && last_row(mesh_of(c))[MESH_END] == END_LENGTH) say_end(c, END_SWITCH, -1, 0.0);
         done = covered == rest ? step : done + covered;
         follow_energies(c);
     }

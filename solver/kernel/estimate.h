@@ -57,8 +57,16 @@ static const method *method_of(int order, int is_explicit)
     return found;
 }
 
-/* The difference for a pair: from the rate of change of the mean acceleration of pairs; 0 where nothing tells it yet. */
-static int difference_of_pairs(const context *c, double h, double *difference)
+/* Square of the angular velocity of a body from the rates of its first director, or of three: |omega x d_1|^2 + ... = 2 omega^2. */
+static inline double square_of_turn(const double *rate)
+{
+    double square = 0.0;
+    for (int k = 0; k < DIM * TURNING; k++) square += rate[k] * rate[k];
+    return square / (DIM - 1);
+}
+
+/* Rate of change of the mean acceleration of pairs (in estimate); 0 where nothing tells it yet. */
+static int find_rate_of_pairs(const context *c, double h)
 {
     const int64_t n = DIM * c->n_moving;
     double *const *a = c->s.a, *const *before = c->s.a_before;
@@ -67,7 +75,14 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     c->s.head[S_LAST_LENGTH] = h;
     if (c->s.head[S_KNOWN] < 4.0) return 0;
     for (int64_t k = 0; k < n; k++) rate[k] = 0.5 * ((a[0][k] - before[0][k]) + (a[1][k] - before[1][k])) / between;
-    const double of_rate = mass_norm(c, rate), speed = mass_norm(c, c->s.v);
+    return 1;
+}
+
+/* The difference for a pair. */
+static int difference_of_pairs(const context *c, double h, double *difference)
+{
+    if (!find_rate_of_pairs(c, h)) return 0;
+    const double of_rate = mass_norm(c, c->k.estimate), speed = mass_norm(c, c->s.v);
     const double omega = speed > 0.0 ? sqrt(of_rate / speed) : 0.0;
     *difference = h * h * h * relative_size(c, of_rate, omega * of_rate);
     return 1;
@@ -80,11 +95,51 @@ static void judge_coarseness(const context *c, double h, double over)
     c->s.head[S_COARSE_LENGTH] = h;
 }
 
-HM_SELDOM static void estimate_equal_step(const context *c, double h)
+/* Distance of a node from where it began. */
+static double way_of(const context *c, int32_t a)
 {
-    double *head = c->s.head, difference = 0.0;
-    if (difference_of_pairs(c, h, &difference)) head[S_ERRORS_SEEN] += METHODS->mean * difference;
-    judge_coarseness(c, h, hm_error_of_steps(head, head[S_EQUAL_STEPS]) / MOST_OF_THE_PATH);
+    double square = 0.0;
+    EACH(k) square += hm_square(c->s.q[DIM * a + k] - c->s.start[DIM * a + k]);
+    return sqrt(square);
+}
+
+/* Largest change of acceleration of a place (x[0]) and of a body's turn (x[1]) among free nodes. An error where a path bends sharply
+   turns all of the path, and so counts by half its reach over that bend's radius, v^1.5/rate^0.5. */
+static void largest_rates(const context *c, const double *rate, double *x)
+{
+    double *reach = c->s.head + S_REACH;
+    x[0] = x[1] = 0.0;
+    for (int32_t a = 0; a < c->m->n_free; a++) {
+        if (c->m->node_kind[a] || c->s.freedom[a] == 0.0) continue;
+        const double of_a = sqrt(dot(rate + DIM * a, rate + DIM * a)), speed = sqrt(dot(c->s.v + DIM * a, c->s.v + DIM * a));
+        *reach = fmax(*reach, way_of(c, a));
+        const double times = 0.5 * *reach * sqrt(of_a) / fmax(speed * sqrt(speed), 1e-300);
+        x[0] = fmax(x[0], of_a * fmin(fmax(times, 1.0), LONGEST_LEVER));
+    }
+    for (int32_t b = 0; b < n_bodies(c->m); b++) {
+        const int32_t a = c->m->body_node[b];
+        if (a < c->m->n_free && c->s.freedom[a] != 0.0) x[1] = fmax(x[1], sqrt(square_of_turn(rate + DIM * a)));
+    }
+}
+
+/* Looks at an equal step of length h, number `look` of those in a row. */
+HM_SELDOM static void look_at_step(const context *c, double h, double look)
+{
+    double *head = c->s.head, x[2];
+    const int is_known = find_rate_of_pairs(c, h); /* not after a jump */
+    if (!is_known || (look > FIRST_LOOK && head[S_LEAST_PLACE] < 0.0)) {
+        head[S_LEAST_PLACE] = -1.0;
+        return;
+    }
+    largest_rates(c, c->k.estimate, x);
+    for (int k = 0; k < 2; k++) x[k] *= OF_A_PAIR * h * h * h;
+    head[S_LEAST_PLACE] = look > FIRST_LOOK ? fmin(head[S_LEAST_PLACE], x[0]) : x[0];
+    head[S_LEAST_ANGLE] = look > FIRST_LOOK ? fmin(head[S_LEAST_ANGLE], x[1]) : x[1];
+    if (look < LAST_LOOK) return;
+    head[S_LOOKS] += 1.0;
+    head[S_PLACE_ERROR] += head[S_LEAST_PLACE];
+    head[S_ANGLE_ERROR] += head[S_LEAST_ANGLE];
+    judge_coarseness(c, h, hm_error_of_path(head, c->number[c->m->extent_at], head[S_EQUAL_STEPS]) / MOST_OF_THE_PATH);
 }
 
 HM_SELDOM static void turn_further(const context *c, double h, int32_t node, double square)
@@ -100,16 +155,13 @@ HM_OFTEN void follow_coarseness(const context *c, double h)
     double *head = c->s.head;
     for (int32_t b = 0; b < n_bodies(c->m); b++) {
         const int32_t a = c->m->body_node[b];
-        const double *rate = c->s.v + DIM * a; /* of one director, or three: |omega x d_1|^2 + ... = 2 omega^2 */
-        double square = 0.0;
-        for (int k = 0; k < DIM * TURNING; k++) square += rate[k] * rate[k];
-        square *= h * h / (DIM - 1);
+        const double square = h * h * square_of_turn(c->s.v + DIM * a);
         if (square > head[S_TURNED]) turn_further(c, h, a, square);
     }
-    /* Contacts and inputs may jump: one look would stand for steps that have none of it. */
-    if (is_unilateral(c->m) || c->m->n_inputs || head[S_ORDER_IN_USE] > 2.0) return;
     head[S_EQUAL_STEPS] += 1.0;
-    if (hm_is_looked_at(head[S_EQUAL_STEPS])) estimate_equal_step(c, h);
+    if (is_unilateral(c->m) || head[S_ORDER_IN_USE] > 2.0) return; /* impacts would count for steps that have none */
+    const double look = head[S_EQUAL_STEPS] - STEPS_A_LOOK * floor(head[S_EQUAL_STEPS] / STEPS_A_LOOK);
+    if (look >= FIRST_LOOK && look <= LAST_LOOK) look_at_step(c, h, look);
     else head[S_LAST_LENGTH] = h;
 }
 

@@ -316,6 +316,7 @@ static int32_t stop_before(context *c, double *length)
 {
     const double whole = *length;
     if (!(length_before_stop(c, whole) < whole)) return HOLONOM_OK;
+    if (mesh_of(c)) note_ahead(c, MESH_PROJECTED - MESH_LOWERED);
     int32_t status = project_velocities(c, S_IMPACT);
     if (!status) status = event_functions(c, values_at(c, AT_LOW));
     *length = length_before_stop(c, whole);
@@ -351,9 +352,11 @@ static int follow_slips(context *c, event_values at)
     for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++) {
         double along[3];
         if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)) continue;
+        const double before = at.value[k];
         at.value[k] = slip_of(c, f, along);
         if (at.value[k] > 0.0) let_slide(c, f, along);
         if (!(at.rate[k] < 0.0) || at.value[k] > SLIP_LEFT / RESTING * speed_tolerance(c)) continue;
+        if (mesh_of(c)) say_end(c, END_STOP, k, before);
         at.value[k] = 0.0;
         stops = 1;
     }
@@ -386,7 +389,8 @@ static int32_t end_piece(context *c, double t, double law_time, double h, double
         const int stops = follow_slips(c, high);
         copy_values(c, high, stops ? values_at(c, AT_TRIAL) : low);
         if (!stops) return HOLONOM_OK;
-    }
+    } else if (mesh_of(c))
+        say_end(c, END_EVENT, c->event, values_at(c, AT_TRIAL).value[c->event]);
     if (!(c->s.head[S_EVENTS] < c->s.head[S_MAX_EVENTS])) return HOLONOM_TOO_MANY_EVENTS;
     status = change_modes(c);
     return status ? status : settle(c);

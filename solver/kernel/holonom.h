@@ -62,6 +62,18 @@ typedef struct holonom_watch {
 
 enum { HOLONOM_WORK_BETWEEN_LOOKS = 1 << 20 };
 
+enum { HOLONOM_AHEAD = 3 };
+
+/* Internal steps of a communication step, a row of MESH_SIZE numbers each (layout.py): those that are taken, or those to repeat. */
+typedef struct holonom_mesh {
+    double *row;   /* `room` rows, modified where steps are recorded      */
+    int64_t room, count;
+    double *start; /* room for a state, to repeat; NULL to record           */
+    /* Modified: how often penalties were lowered, and velocities put onto the rows, of located contacts and of explicit steps, and when. */
+    double ahead[HOLONOM_AHEAD], ahead_of[HOLONOM_AHEAD];
+    int32_t is_full; /* modified: whether there was no room for a row      */
+} holonom_mesh;
+
 /* Takes the initial configuration from `numbers` (modified: derived sections) into `state` (modified), closes the
    mechanism or seeks its equilibrium if the options say so, finds the first multipliers from M a + G' lambda = Q
    and Phi'' = 0, and starts the ledger. The state's time, options, parameters and inputs are set beforehand. `watch` (modified)
@@ -76,9 +88,9 @@ HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, 
 
 /* Advances `state` (modified) by `step` [s], divided into equal internal steps of at most the option
    step_size or, with a tolerance, into those that it asks for; on failure the state is as before, but for S_STATUS.
-   `watch` (modified) may be NULL. */
+   `watch` and `mesh` (modified) may be NULL. */
 HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers, double *state, double *work,
-                                    double step, holonom_watch *watch);
+                                    double step, holonom_watch *watch, holonom_mesh *mesh);
 
 /* Changes inputs and tunable parameters; a jump of stored energy is booked as work. `inputs` (n_inputs),
    `parameters` (n_parameters). Returns the row of a contact whose sides they press into each other, with its `gap` (1,

@@ -298,6 +298,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
         memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities);
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);
+    find_freedom(&c);
     if (is_unilateral(m) && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;
     if (status) return status;
     head[S_EVENTS] = 0.0;

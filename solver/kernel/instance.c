@@ -20,6 +20,7 @@ struct holonom_instance {
     int32_t first;               /* number of the first variable                                           */
     int32_t group_end[HOLONOM_GROUPS];
     holonom_watch watch;
+    holonom_mesh *mesh;
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
@@ -245,13 +246,20 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
     const holonom_model *m = &i->file.model;
     const double step = part * hm_step_size(i->s.head);
     double *now = i->before + i->state_size;
+    int32_t groups = 0; /* forces under a tolerance are solved for: they are measured where their rates are asked for alone */
+    for (int32_t k = 0; k < count; k++) {
+        const hm_variable *v = holonom_variable_at(i, index[k]);
+        const int32_t place = place_of_variable(i, v);
+        double known;
+        if (!holonom_knows_rate(m, i->numbers, place, &known)) groups |= v->kind == KIND_MEASURED ? groups_of(i, place) : HOLONOM_MEASURE_ALL;
+    }
     put_all_aside(i);
     const int32_t status = holonom_begin_moving_on(m, i->numbers, i->state, i->work, POINTS * step);
-    holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
+    holonom_measure(m, i->numbers, i->state, i->work, groups);
     memcpy(now, i->numbers, sizeof(double) * (size_t)m->n_numbers);
     for (int p = 0; p < POINTS && !status; p++) {
         holonom_move_on(m, i->numbers, i->state, i->work, step);
-        holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
+        holonom_measure(m, i->numbers, i->state, i->work, groups);
         for (int32_t k = 0; k < count; k++) {
             const int32_t place = place_of_variable(i, holonom_variable_at(i, index[k]));
             double known;
@@ -376,6 +384,8 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
+void holonom_use_mesh(holonom_instance *i, holonom_mesh *mesh) { i->mesh = mesh; }
+
 void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
 
 /* The watch of a start or a step that begins. */
@@ -464,7 +474,7 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
     const int32_t status =
-        holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step, begin_watch(i));
+        holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step, begin_watch(i), i->mesh);
     i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;

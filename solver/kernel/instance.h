@@ -54,6 +54,9 @@ HOLONOM_API void holonom_begin(holonom_instance *instance);
 /* Lets starts and steps ask now and then whether to go on: `look` returns 1 for their end (HOLONOM_STOPPED); NULL: they do not ask. */
 HOLONOM_API void holonom_let_look(holonom_instance *instance, int32_t (*look)(void));
 
+/* Lets steps be recorded in `mesh`, or repeated from it; NULL: neither. It outlives the instance, or the next call. */
+HOLONOM_API void holonom_use_mesh(holonom_instance *instance, holonom_mesh *mesh);
+
 /* Advances from time t, which must be the present time, by `step`, both in s. */
 HOLONOM_API int32_t holonom_move(holonom_instance *instance, double t, double step);
 

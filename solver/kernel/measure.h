@@ -56,23 +56,26 @@ static void mean_forces(const context *c, const hm_measured *y)
 }
 
 /* Whether the state tells forces better than means do, which are of order 2 whatever the order of the motion is. With equal steps means
-   stand: they are what acts in steps that may be longer than what swings. */
+   stand: they are what acts in steps that may be longer than what swings. Explicit steps have solved for them, but before a jump. */
 static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
-    return (m->n_rows || m->n_driven) && hm_tolerance(c->s.head) > 0.0 && !is_unilateral(m) && c->s.head[S_MEAN_TIME] != c->t;
+    return (m->n_rows || m->n_driven) && hm_tolerance(c->s.head) > 0.0 && !is_unilateral(m) &&
+           (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || (m->time_dependent && may_switch(m)));
 }
 
-/* Likewise, as the state asks for them, beginning with those that are there. State and laws stay as they are. */
+/* Likewise, as the state asks for them, beginning with those that are there; where a law jumps now, on the side that it is on now, as
+   outputs by a formula. State and laws stay as they are. */
 HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
 {
-    const double last = hm_step_size(c->s.head);
     context at = rows_at_state(c);
     keep_state(c, c->k.whole_backup);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
-    follow_signals(c, c->t - last, last, 1.0);
-    laws_within(&at, c->t - last, last, 1.0);
+    signals_at(c, c->t, c->k.signal1);
+    signal_jets_at(c, c->t, c->k.signal_rate, c->k.signal_bend);
+    if (c->m->sensing) sense(&at, 0.0, 0);
+    set_laws(&at, c->t, 0);
     EACH_ISLAND(&at, island) status = status ? status : accelerate(&at, c->k.estimate, y->multiplier);
     if (!status && c->m->n_driven) status = hold_driven(&at, c->k.estimate, y->multiplier, y->driven_force);
     take_state(c, c->k.whole_backup);
@@ -218,7 +221,7 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     if (groups & HOLONOM_MEASURE_ENERGIES) measure_energies(&c, y);
     if (groups & HOLONOM_MEASURE_MOMENTA) measure_momenta(&c, y);
     const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE], head[S_ORDER_IN_USE] == 0.0 ? 0.0 : ends_explicitly(&c) ? 2.0 : 1.0,
-                                head[S_ERROR_ESTIMATE] + hm_error_of_steps(head, head[S_EQUAL_STEPS]), head[S_AS_PAIRS],
+                                head[S_ERROR_ESTIMATE] + hm_error_of_path(head, c.number[m->extent_at], head[S_EQUAL_STEPS]), head[S_AS_PAIRS],
                                 loads ? sampling(&c) : 0.0, head[S_COARSENESS], head[S_STATUS]};
     if (loads) memcpy(y->solver, of_solver, sizeof of_solver);
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */

@@ -48,6 +48,16 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_BAD_DRIVER:
         return "it has no finite value at this time, and velocities or forces would be infinite; write a formula that is smooth there, "
                "as t**2 is and t**1.5 is not, or start at another time";
+#if !defined(HOLONOM_STATIC)
+    case HOLONOM_MESH_EVENTS:
+        return "contacts, frictions or laws change in another order than in the run whose mesh is repeated; change its numbers by less, or "
+               "record a mesh with these";
+    case HOLONOM_MESH_METHODS:
+        return "a step cannot be taken as in the run whose mesh is repeated; change its numbers by less, or record a mesh with these";
+    case HOLONOM_MESH_STEPPED:
+        return "contacts of the run whose mesh is repeated change at the ends of half steps, and no event is located (solver.stepped is 1); "
+               "repeat a run with solver.contact_mode located that ends before";
+#endif
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
@@ -293,40 +303,84 @@ static int32_t most_accelerated(const holonom_model *m, const double *numbers, c
     return found;
 }
 
-/* Largest number of one digit that is not above x > 0. */
-static double rounded_down(double x)
+#define TOLD 1e-3    /* least error of a path that is told, over the size or in rad                              */
+#define SHORTER 0.95 /* rounding to two digits makes a length at most 5 % longer                                */
+#define TURN_ERROR 2e-4 /* of a step in which a body turns by as much as it may [rad]                           */
+
+/* What is off at the end of a run with equal steps that are too long. */
+typedef struct coarse_run {
+    double turn, longest, place, angle, size; /* of a body in a step, and the most it may be [rad]; errors [m, rad] and size [m] */
+    double velocity, reaction;                /* relative errors of a body that drivers turn, else 0                             */
+} coarse_run;
+
+/* Of an even turn every other half step has rates x^2/24 too large, if x is small, and reactions are x^2/3 too large; the denominators
+   are measured of shafts with x from 0.5 to 2.4. It is so for free bodies, too, whose path tells more. */
+static coarse_run judge_run(const hm_model_file *f, const double *numbers, const hm_state *s)
 {
-    const double ten = hm_pow(10.0, floor(hm_log(x) / hm_log(10.0)));
-    return floor(x / ten * (1.0 + 1e-9)) * ten;
+    const double *head = s->head, turn = sqrt(head[S_TURNED]), longest = hm_longest_turn(head);
+    const int is_led = turn >= longest && s->freedom[(int32_t)head[S_TURNING]] == 0.0;
+    return (coarse_run){turn,
+                        longest,
+                        hm_error_of_steps(head, head[S_PLACE_ERROR], head[S_EQUAL_STEPS]),
+                        hm_error_of_steps(head, head[S_ANGLE_ERROR], head[S_EQUAL_STEPS]),
+                        numbers[f->model.extent_at],
+                        is_led && longest < 1.0 ? head[S_TURNED] / (24.0 + 2.0 * head[S_TURNED]) : 0.0,
+                        is_led ? head[S_TURNED] / (3.0 + head[S_TURNED]) : 0.0};
 }
 
-/* Says that equal steps are too long for the motion, of which part, by how much the path will be off, and the remedy: of half of
-   what a run may err by, and of nine tenths of the turn. */
-static void say_coarse_steps(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s)
+/* Length of equal steps that is short enough for an error of HOLONOM_USUAL_TOLERANCE. */
+static double short_enough(const double *head, const coarse_run *x)
 {
-    const double *head = s->head, h = head[S_COARSE_LENGTH], turn = sqrt(head[S_TURNED]), longest = hm_longest_turn(head);
-    const double steps = fmax(head[S_EQUAL_STEPS], head[S_HORIZON] / h), error = hm_error_of_steps(head, steps);
-    if (turn >= longest) {
-        if (!hm_say_node(text, f, (int32_t)head[S_TURNING])) hm_say(text, "a body");
-        hm_say(text, " turns %3g rad in a step of %3g s", turn, h);
-    } else {
-        hm_say(text, "steps of %3g s are too long for the motion of ", h);
-        if (!hm_say_node(text, f, most_accelerated(&f->model, numbers, s))) hm_say(text, "this mechanism");
-    }
-    const int is_part = error < 0.99;
-    if (error > 0.0)
-        hm_say(text, "; after %6g s the path is off by about %2g %s%s", steps * h, is_part ? 100.0 * error : error,
-               is_part ? "%" : "times its size", head[S_EQUAL_STEPS] < 0.5 * steps ? ", more if the motion becomes faster" : "");
-    else hm_say(text, "; the path may be far off");
-    const double shorter = h * fmin(0.9 * longest / fmax(turn, longest), sqrt(0.5 * MOST_OF_THE_PATH / fmax(error, MOST_OF_THE_PATH)));
-    hm_say(text, "; set %ssolver.step_size <= %6g s", head[S_STEPPED] == 0.0 ? "solver.tolerance = 1e-4, or " : "", rounded_down(shorter));
+    const double order = head[S_STEPPED] != 0.0 ? 2.0 : fmax(head[S_ORDER], 2.0), turn = fmax(x->turn, x->longest) / x->longest;
+    double error = fmax(fmax(x->place / x->size, x->angle), x->reaction), root = order;
+    if (!(error > 0.0)) error = head[S_EQUAL_STEPS] * TURN_ERROR * hm_pow(turn, order + 1.0);
+    if (x->reaction == error) root = 2.0; /* means over half steps, whatever the order */
+    return SHORTER * head[S_COARSE_LENGTH] * fmin(hm_pow(HOLONOM_USUAL_TOLERANCE / error, 1.0 / root), 0.9 / turn);
 }
+
+static void say_what_is_off(hm_text *text, const double *head, const coarse_run *x)
+{
+    if (x->reaction > 0.0) {
+        hm_say(text, "; drivers give its place, but ");
+        if (x->velocity > 0.0) hm_say(text, "velocities are off by about %2g %s and ", 100.0 * x->velocity, "%");
+        hm_say(text, "reactions by about %2g %s", 100.0 * x->reaction, "%");
+    }
+    const size_t begin = text->used;
+    hm_say(text, "; after %4g s", head[S_EQUAL_TIME]);
+    if (x->angle > TOLD) hm_say(text, " angles are off by about %2g rad", x->angle);
+    if (x->angle > TOLD && x->place > TOLD * x->size) hm_say(text, ", and");
+    if (x->place > TOLD * x->size) hm_say(text, " places are off by about %2g m", x->place);
+    if (fmax(x->angle, x->place / x->size) > TOLD) return;
+    if (x->reaction > 0.0) hm_take_back(text, begin);
+    else hm_say(text, " the path may be far off");
+}
+
+/* Says of a run with equal steps that they are too long for the motion, as soon as they are; at the end of the run by how much it is off,
+   and which step is short enough. */
+static void say_coarse_steps(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, int is_over)
+{
+    const double *head = s->head;
+    const coarse_run x = judge_run(f, numbers, s);
+    const int turns = x.turn >= x.longest || x.angle > x.place / x.size, is_stepped = head[S_STEPPED] != 0.0;
+    hm_say(text, "steps of %3g s are too long for this motion: ", head[S_COARSE_LENGTH]);
+    if (!hm_say_node(text, f, turns ? (int32_t)head[S_TURNING] : most_accelerated(&f->model, numbers, s))) hm_say(text, "a part");
+    if (turns) hm_say(text, " turns %3g rad in one", x.turn);
+    else hm_say(text, " changes its acceleration too fast");
+    if (is_over) say_what_is_off(text, head, &x);
+    if (!is_stepped) hm_say(text, "; leave solver.step_size %sout, so that steps follow the motion", head[S_ORDER] > 0.0 ? "and solver.order " : "");
+    if (is_over)
+        hm_say(text, "%s set solver.step_size <= %2g s, for an error of about %6g", is_stepped ? ";" : ", or", short_enough(head, &x), HOLONOM_USUAL_TOLERANCE);
+    else if (is_stepped) hm_say(text, "; set a smaller solver.step_size");
+}
+
+/* Whether a run with equal steps has lasted as long as it was to. */
+static int is_over(const double *head) { return head[S_EQUAL_TIME] >= (1.0 - 1e-9) * head[S_HORIZON]; }
 
 int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, int said, int heard)
 {
     if (!(said & REMARK_NUMBERS)) hm_broken_rules(text, f, numbers, RULES_NOTED);
     said |= REMARK_NUMBERS;
-    for (int what = REMARK_ORDER; what <= REMARK_COARSENESS; what *= 2) {
+    for (int what = REMARK_ORDER; what <= REMARK_COARSE_RUN; what *= 2) {
         const size_t begin = text->used;
         if (said & what) continue;
         if (begin) hm_say(text, "\n");
@@ -335,7 +389,8 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
         if (what == REMARK_ORDER) lasting = say_order_limit(text, f, numbers, s->head);
         else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
         else if (what == REMARK_SAMPLING) say_missed_load(text, f, s);
-        else if (s->head[S_COARSENESS] > HOLONOM_MOST_COARSENESS && s->head[S_EQUAL_STEPS] != 1.0) say_coarse_steps(text, f, numbers, s);
+        else if (s->head[S_COARSENESS] > HOLONOM_MOST_COARSENESS && is_over(s->head) == (what == REMARK_COARSE_RUN))
+            say_coarse_steps(text, f, numbers, s, what == REMARK_COARSE_RUN);
         if (text->used > first && (lasting || heard)) said |= what;
         else hm_take_back(text, begin);
     }

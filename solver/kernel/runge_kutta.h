@@ -8,6 +8,7 @@
 
 #include "force_rates.h"
 #include "half_step.h"
+#include "mesh.h"
 #include "stages.h"
 
 enum { MOST_PASSES = 8 };
@@ -300,6 +301,7 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     keep_motion(c, 0.0);
     forget_momenta(c);
     put_velocities_back(c, at);
+    if (mesh_of(c)) note_ahead(c, MESH_STARTED - MESH_LOWERED);
     memcpy(c->k.pair_backup, c->s.head, bytes);
     return HOLONOM_OK;
 }

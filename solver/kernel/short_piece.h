@@ -64,6 +64,7 @@ HM_SELDOM static void move_by_series(context *c, double h)
 HM_SELDOM static int32_t short_piece(context *c, double h)
 {
     double damping, friction;
+    if (mesh_of(c)) begin_row(c, h);
     keep_start(c);
     evaluate_state(c);
     const int32_t status = evaluate_forces(c);
@@ -75,6 +76,7 @@ HM_SELDOM static int32_t short_piece(context *c, double h)
     book(c, S_FRICTION, h * friction);
     const double after = kinetic_energy(c, c->k.momentum) + potential_change(c);
     if (has_loads(c)) book(c, S_WORK, after - before + h * (damping + friction));
+    if (mesh_of(c)) end_row(c, TAKEN_SHORT);
     return HOLONOM_OK;
 }
 

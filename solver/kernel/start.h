@@ -121,6 +121,9 @@ static int32_t derive_scales(context *c)
     return HOLONOM_OK;
 }
 
+/* Velocity that momenta of 1 give a node of 1 kg where rows and drivers leave it none: round-off. */
+#define NO_FREEDOM 1e-9
+
 /* Length of the step without forces whose tangent is the matrix of solve_at_state. */
 #define AT_STATE 1.4142135623730951
 #define AT_STATE_PENALTY 1e8
@@ -405,8 +408,9 @@ static void take_turns(context *rows, int turns)
 
 /* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties of the others. With
    coordinates of directors as unknowns, rows of joints that one director alone carries would look dependent: where there are
-   bodies, their turns are the unknowns.                                                                          */
-static void judge_rows(const context *c)
+   bodies, their turns are the unknowns. Takes from multipliers mu (n_rows, modified), if any, what dependent rows do not determine, as steps do:
+   `accelerations` shares it with rows of rigidity. */
+static void judge_rows(const context *c, double *mu)
 {
     const holonom_model *m = c->m;
     context rows = rows_at_state(c);
@@ -415,8 +419,10 @@ static void judge_rows(const context *c)
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
         const double left = fails ? 1.0 : left_by_updates(&rows);
-        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows))) rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
-        else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left);
+        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows))) {
+            rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
+            if (!fails && mu) leave_undetermined(&rows, mu, 0);
+        } else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left);
     }
 }
 
@@ -447,6 +453,25 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
     return status;
 }
 
+/* Marks nodes to which rows and drivers leave a motion of their own: those that momenta of all of them move. What drivers move alone is
+   where it has to be in steps of any length. */
+HM_SELDOM static void find_freedom(context *c)
+{
+    const holonom_model *m = c->m;
+    double *x = c->k.w;
+    for (int32_t a = 0; a < c->n_moving; a++) c->s.freedom[a] = 1.0;
+    if (!m->n_signals || is_unilateral(m)) return;
+    stand_still(c);
+    memset(c->k.phi, 0, sizeof(double) * (size_t)m->n_rows);
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t k = 0; k < DIM * m->n_free; k++) /* in no simple relation to each other */
+        c->k.momentum[k] = sqrt(c->number[m->node_mass_at + k / DIM]) * (1.0 + 0.618 * k - floor(0.618 * k));
+    if (factorise_at_state(c, NULL)) return;
+    solve_for(c, x);
+    for (int32_t a = 0; a < m->n_free; a++)
+        c->s.freedom[a] = c->number[m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a) > hm_square(NO_FREEDOM);
+}
+
 static int32_t first_multipliers(context *c)
 {
     const holonom_model *m = c->m;
@@ -454,7 +479,8 @@ static int32_t first_multipliers(context *c)
     double *mu = c->s.mu[0];
     int32_t status = accelerations(c, mu);
     if (status) return status;
-    judge_rows(c);
+    memcpy(c->s.mean, mu, rows);
+    judge_rows(c, c->s.mean);
     memcpy(c->k.mu, mu, rows);
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
@@ -466,8 +492,7 @@ static int32_t first_multipliers(context *c)
     memcpy(c->s.driven_mean, c->s.driven[0], driven);
     memcpy(c->s.driven_mean_before, c->s.driven[0], driven);
     memcpy(c->s.mu[1], mu, rows);
-    memcpy(c->s.mean, mu, rows);
-    memcpy(c->s.mean_before, mu, rows);
+    memcpy(c->s.mean_before, c->s.mean, rows);
     c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
     return HOLONOM_OK;
 }

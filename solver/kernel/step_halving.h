@@ -65,8 +65,8 @@ static void restore_state(context *c, const double *backup, double t, double law
 /* Takes an internal step back. */
 static void undo_step(context *c, double t, double law_time) { restore_state(c, c->k.pair_backup, t, law_time); }
 
-/* One internal step: pairs of half steps, a weighted cover of them, or an explicit one. */
-static int32_t internal_step(context *c, double h)
+/* Takes an internal step: pairs of half steps, a weighted cover of them, or an explicit one. */
+static int32_t take_step(context *c, double h)
 {
     int order = (int)c->s.head[S_ORDER_IN_USE];
     int32_t status = HOLONOM_OK;
@@ -99,11 +99,21 @@ static int32_t internal_step(context *c, double h)
     return status;
 }
 
+/* One internal step of length h. */
+static int32_t internal_step(context *c, double h)
+{
+    if (mesh_of(c)) begin_row(c, h);
+    const int32_t status = take_step(c, h);
+    if (!status && mesh_of(c)) end_row(c, taken_as(c));
+    return status;
+}
+
 /* After a failure penalties are those that were asked for with contacts, whose rows may have become dependent. Else they stay
    raised: a heavy load on light links fails where its tension ends, and needs them all the more in shorter steps. */
 HM_OFTEN void lower_penalties(context *c)
 {
     if (!is_unilateral(c->m)) return;
+    if (mesh_of(c)) note_ahead(c, 0);
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         double *own = c->s.islands + I_SIZE * island;
         own[I_PENALTY_LEVEL] = own[I_SLOW_STEPS] = 0.0;

@@ -85,6 +85,8 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     head[S_STEPPED] = 1.0;
     head[S_ORDER_IN_USE] = 2.0;
     c->stepping = 1;
+    c->t = start + done;
+    if (mesh_of(c)) begin_row(c, rest), end_row(c, TAKEN_STEPPED);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + done + h * (double)i;
         c->unweighted = 0;

@@ -111,7 +111,7 @@ static int32_t velocities_of_parting(context *c, double taken, int driven)
     double *stop = c->k.hit_defect, *part = c->k.free;
     stand_still(c);
     forget_dependent_rows(c);
-    judge_rows(c);
+    judge_rows(c, NULL);
     const int32_t status = factorise_at_state(c, NULL);
     if (status) return status;
     rates_to_stop(c);

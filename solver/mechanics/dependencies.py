@@ -1,8 +1,9 @@
 """What each unknown of a model depends on, as FMI wants it said.
 
-At a communication point the motion is a state, and multipliers, with them reactions, are those of
-the step that led there: an input acts on them by the next step alone. What follows it at once are
-formulas that read it: those of outputs, of springs and other forces, of the energy that springs
+At a communication point the motion is a state. Under a tolerance and without contacts reactions are
+those of the state, and follow at once all inputs that push its island; else multipliers, and with
+them reactions, are those of the step that led there, and an input acts on them by the next step
+alone. What always follows it at once are formulas that read it: those of outputs, of springs and other forces, of the energy that springs
 store, and of prescribed rates; and this only of an input that is held, as the others begin a step
 with the value that they had. At the start, a mechanism can be closed or brought to rest with
 everything that its island contains, so that all of that counts.
@@ -19,7 +20,7 @@ from solver.mechanics.mechanism import FIXED
 from solver.mechanics.sensors import Ref
 from solver.mechanics.structure import Structure
 from solver.mechanics.variables import SENSORS, Symbols
-from solver.options import OPTIONS
+from solver.options import OPTIONS, tolerance_of
 from solver.runtime.layout import LEAF_SIGNAL
 from solver.runtime.model import Variable
 from solver.scene import Expr, ExpressionError, Number, Scene, symbols
@@ -39,6 +40,8 @@ AT_THE_START: Sources = frozenset({
 """Settings that the initial values follow: how it is closed, how exactly, or brought to rest."""
 OF_A_STEP = ("solver", "contact_solver")
 """Measurements that tell of the last step alone."""
+OF_THE_FORCES = ("rod_force", "multiplier", "driven_force", "reaction_force", "reaction_torque")
+"""Measurements of forces that rows and drivers take."""
 STORED = tuple(Ref("energy", place_in_whole("energy", x)) for x in ("potential", "total", "work"))
 """Energies that jump with what springs store: the jump is work."""
 ROW_RATE = Ref("residual", place_in_whole("constraint", "velocity"))
@@ -102,6 +105,8 @@ class _Search:
         self._held = frozenset(
             x for x, given in scene.inputs.items() if given.interpolation == "hold"
         )
+        of_steps = tolerance_of(vars(scene.solver)) > 0.0
+        self._tells_forces = of_steps and not structure.sizes["unilateral"]
         settings = (
             f"solver.{option.name}"
             for option in OPTIONS.values()
@@ -114,11 +119,8 @@ class _Search:
             value = scene.parameters[name].value if name in scene.parameters else 0.0
             own = self._of(value) if isinstance(value, Expr) else frozenset({name})
             self._made_of.setdefault(name, own)
-        self._shaped = [NOTHING] * count
-        for numbers, nodes, part in self._acting() if len(self._made_of) > 1 else ():
-            sources = self._of(*numbers)
-            for island in self._islands(nodes(part)) if sources else ():
-                self._shaped[island] |= sources
+        acting = (self._acting(), self._pushing()) if len(self._made_of) > 1 else ((), ())
+        self._shaped, self._pushed = (self._sets(x, count) for x in acting)
         for _ in range(count):  # a sensor's island may have sensors of another one
             self._shaped = [
                 _union(x, *(self._of_islands(self._shaped, ref) for ref in _measured(x)))
@@ -159,8 +161,12 @@ class _Search:
         return _union(sources & self._held, *map(self._direct, _measured(sources)))
 
     def _direct(self, ref: Ref) -> Sources:
-        """Held inputs that formulas read with which a measurement is taken."""
-        return self._directly(self._of(*self._read(ref))) if self._held else NOTHING
+        """Held inputs that formulas read with which a measurement is taken, or that it answers."""
+        if not self._held:
+            return NOTHING
+        if ref.section in OF_THE_FORCES and self._tells_forces:
+            return self._directly(self._of_islands(self._pushed, ref))
+        return self._directly(self._of(*self._read(ref)))
 
     def _read(self, ref: Ref) -> Iterable[Number]:
         """Numbers with which a measurement is taken; all other measurements are states."""
@@ -188,6 +194,15 @@ class _Search:
 
     # --------------------------------------------------------------------------------- islands
 
+    def _sets(self, acting: Iterable[Acting], count: int) -> Sets:
+        """What numbers that act are made of, for each island."""
+        found = [NOTHING] * count
+        for numbers, nodes, part in acting:
+            sources = self._of(*numbers)
+            for island in self._islands(nodes(part)) if sources else ():
+                found[island] |= sources
+        return found
+
     def _acting(self) -> Iterator[Acting]:
         """Yield all numbers of a mechanism."""
         mechanism = self._mechanism
@@ -211,15 +226,20 @@ class _Search:
             yield (contact.restitution,), joined, row
         for friction in mechanism.frictions:
             yield friction.numbers, joined, mechanism.velocity_rows[friction.rows[0]]
+        yield from self._pushing()
+        yield mechanism.driven_signals, tuple, self._structure.driven_nodes.items
+        yield self._scene.gravity, tuple, range(len(nodes))
+
+    def _pushing(self) -> Iterator[Acting]:
+        """Yield the numbers of what makes force."""
+        mechanism = self._mechanism
+        joined = mechanism.joined
         for potential in mechanism.potentials:
-            numbers = potential.value, potential.damping or 0.0
-            yield numbers, joined, potential
+            yield (potential.value, potential.damping or 0.0), joined, potential
         for element in mechanism.elements:
             yield element.numbers, joined, element
         for load in (*mechanism.loads, *mechanism.moments, *mechanism.body_moments):
             yield load.value, joined, load
-        yield mechanism.driven_signals, tuple, self._structure.driven_nodes.items
-        yield self._scene.gravity, tuple, range(len(nodes))
 
     def _islands(self, nodes: Iterable[int]) -> set[int]:
         """Islands of some nodes."""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from .errors import AssemblyError, OptionError, Status, StepError, is_double, shown, tell
 from .kernel import LOOK, shared_library
-from .layout import RESULTS, state_size
+from .layout import MESH, RESULTS, state_size
 from .model import Model
 from .state import State
 
@@ -31,6 +31,43 @@ def takes_signals(caught: list[BaseException]) -> Iterator[int]:
             return
         except BaseException as error:
             caught.append(error)
+
+
+class MeshMemory(ctypes.Structure):
+    """``holonom_mesh``: internal steps of a communication step, taken or to be repeated."""
+
+    _fields_ = [
+        ("_row", ctypes.c_void_p), ("_room", ctypes.c_int64), ("_count", ctypes.c_int64),
+        ("_start", ctypes.c_void_p), ("_ahead", ctypes.c_double * 3),
+        ("_ahead_of", ctypes.c_double * 3), ("_is_full", ctypes.c_int32),
+    ]  # fmt: skip
+
+    def __init__(self, room: int, state: int = 0) -> None:
+        """Take room for so many steps and, to repeat them, for a state of so many numbers."""
+        super().__init__()
+        self._rows = (ctypes.c_double * (room * len(MESH)))()
+        self._state = (ctypes.c_double * state)()
+        self._row, self._room = ctypes.addressof(self._rows), room
+        self._start = ctypes.addressof(self._state) if state else None
+
+    def clear(self) -> None:
+        """Forget the steps of before."""
+        self._count = self._is_full = 0
+        self._ahead_of[:] = [math.nan] * 3
+
+    def fill(self, numbers: Sequence[float]) -> None:
+        """Take the steps to repeat, one after the other."""
+        self._rows[: len(numbers)] = numbers
+        self._count = len(numbers) // len(MESH)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether there were more steps than room."""
+        return bool(self._is_full)
+
+    def numbers(self) -> list[float]:
+        """Numbers of the steps that were taken, one after the other."""
+        return self._rows[: self._count * len(MESH)]
 
 
 class Integrator:
@@ -261,6 +298,11 @@ class Integrator:
         if result:
             self._end(result)
         self.message = "done"
+
+    def use_mesh(self, mesh: MeshMemory | None) -> None:
+        """Let steps from now on be recorded there, or repeated from there; see `solver.mesh`."""
+        self._mesh = mesh  # it lives as long as the core may write there
+        self._library.holonom_use_mesh(self._instance, mesh and ctypes.addressof(mesh))
 
     def residuals(self) -> tuple[list[float], list[float]]:
         """Return the residuals of the rows and their rates, each in the unit of its row."""

@@ -51,6 +51,7 @@ FUNCTIONS = {
     "assemble": (_INTEGER, [_POINTER]),
     "begin": (None, [_POINTER]),
     "let_look": (None, [_POINTER, LOOK]),
+    "use_mesh": (None, [_POINTER, _POINTER]),
     "move": (_INTEGER, [_POINTER, _REAL, _REAL]),
     "saved_size": (_COUNT, [_POINTER]),
     "save": (None, [_POINTER, _POINTER]),

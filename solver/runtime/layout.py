@@ -16,7 +16,7 @@ from functools import cache
 from types import CodeType
 from zlib import crc32
 
-ENTRY_POINTS = 20
+ENTRY_POINTS = 21
 """To be raised when functions that the core exports change, or the order of a model's bytes."""
 
 
@@ -291,8 +291,10 @@ HEAD = (
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
     "as_pairs",  # steps in it whose higher order would have let a loss give energy
     "ledger_error",
-    "equal_steps",  # of the run, see coarseness.h
-    "errors_seen",  # of those looked at
+    "equal_steps", "equal_time",  # of the run: their number, and how long they lasted [s]
+    "looks", "least_place", "least_angle",  # at some of them, see coarseness.h
+    "reach",  # longest way of a place from its start [m], as far as looked at
+    "place_error", "angle_error",  # sums of what these add to the error of the run [m, rad]
     "turned", "turning",  # largest turn of a body in one, squared [rad^2], and its node
     "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
@@ -368,6 +370,28 @@ end of that path, or from a drawing that was shaken."""
 
 FRICTION_MODES = ("off", "sticks", "slides")
 
+MESH = (
+    "time", "length",  # of the step: its beginning, and how long it is [s]
+    "usual",  # length of steps at that time, which tells short ones [s]
+    "order", "explicit",  # that it was to have, and whether it was to be explicit
+    "careful",  # whether smooth frictions had steeper slopes in the tangent
+    "known",  # half steps before it that tell its first guess
+    "lowered", "projected", "started",  # how often, ahead of it, penalties were lowered, and
+    # velocities put onto the rows: of located contacts, and of explicit steps
+    "taken",  # how it was taken, `MESH_TAKEN`
+    "put_back",  # whether velocities were put back behind it
+    "end",  # what ended it, `MESH_ENDS`
+    "function",  # whose event that was: a contact, or the number of contacts and a friction; -1
+    "value",  # of the function of that event
+    "modes",  # of contacts and frictions in the step, as one number
+)
+"""Numbers of each internal step in the mesh of a run, see mesh.h."""
+MESH_TAKEN = ("pairs", "cover", "finest", "explicit", "short", "stepped")
+"""How an internal step was taken: by pairs of half steps, a weighted cover, the finest cover alone,
+explicitly, by Taylor's series, or with contacts that change without being located."""
+MESH_ENDS = ("length", "switch", "event", "stop")
+"""What ended it: its length, a switch of laws, an event of contacts, a slip in space that stops."""
+
 STATE = {
     "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over
     "v": "n", "v_low": "n",  # velocities [m/s], likewise
@@ -390,6 +414,7 @@ STATE = {
     "signal": "n_signals",  # prescribed values at the present time
     "quaternion": "4 * n_oriented",  # w, x, y, z; of continuous sign
     "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
+    "freedom": "n_moving",  # whether rows and drivers left a node to move by itself at the start
     "contacts": f"{len(CONTACT)} * n_contacts",  # `CONTACT` of each
     "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers

@@ -117,13 +117,13 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
         "order_in_use": "order of the last internal step, 0 before it",
         "method_in_use": "of the last internal step: 1 conserving, 2 explicit, 0 before it",
         "error_estimate": "estimated error of the run so far, relative to size and speed as a "
-        "tolerance is; 0 where nothing estimates it",
+        "tolerance is, of equal steps over the size or in rad; 0 where nothing estimates it",
         "as_pairs": "steps of the last communication step taken as pairs of half steps, of order "
         "2, since a damper or friction would have given energy at their order",
         "sampling": "for forces that read the motion: part of their work that they missed, as they "
         "are evaluated once in a half step; above 1 the step is too long",
         "coarseness": "of equal steps so far: largest turn of a body in one, or without contacts "
-        "their estimated error, over what leaves the path right within 1 %; above 1 they are too "
+        "their estimated error, over what leaves the path right within 2 %; above 1 they are too "
         "long",
         "status": "0 after a solved step, else the code of what failed",
     }),

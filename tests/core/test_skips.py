@@ -12,6 +12,7 @@ import pytest
 from benchmarks import skips
 from benchmarks.effort import TINY
 from build_kernel.compiler import CompilerError
+from solver.options import step_of
 from solver.runtime.kernel import load_library
 from tests.kernels_without_skips import kernel_without, needs_compiler
 
@@ -24,7 +25,7 @@ MODELS = skips.mechanisms(10) | {"chain": (skips.model_of(skips.waving_chain(30,
 def moved(model, library, steps=STEPS):
     """Step [s], positions and velocities after some internal steps, and their solves."""
     integrator = skips.bound(model, library)
-    h = float(integrator["solver.step_size"])
+    h = step_of(model.settings)
     solved = np.zeros(2)
     for _ in range(steps):
         integrator.advance(integrator.time, h)

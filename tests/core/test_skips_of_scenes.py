@@ -13,6 +13,7 @@ from hypothesis import settings as trials
 
 import solver
 from benchmarks.skips import ALL, SKIPS
+from solver.options import USUAL_STEP
 from solver.runtime import Integrator, Model
 from tests.kernel_cases import SOURCES, ZOO
 from tests.kernels_without_skips import counted, integrator_without, needs_compiler
@@ -74,7 +75,7 @@ def moved(model: Model, bits: int, order: int, steps: int) -> Run:
     run = integrator_without(bits, model)
     run.state.head["order"] = float(order)
     before, iterations = counted(bits, model.sizes["dim"]), 0.0
-    h = run.state.head["step_size"]
+    h = run.state.head["step_size"] or USUAL_STEP
     for _ in range(steps):
         run.advance(run.time, h)
         iterations += run.state.head["newton_iterations"]
@@ -89,7 +90,8 @@ def ends(run: Integrator) -> tuple[Array, Array]:
     """Coordinates, and velocities times the step, over the extent of the mechanism."""
     vectors, extent = run.state.vectors, run.numbers[run.model.offsets["extent"]]
     q = np.asarray(vectors["q"]) + np.asarray(vectors["q_low"])
-    return q / extent, run.state.head["step_size"] * np.array(vectors["v"]) / extent
+    h = run.state.head["step_size"] or USUAL_STEP
+    return q / extent, h * np.array(vectors["v"]) / extent
 
 
 @cache

@@ -57,7 +57,7 @@ def tree(tmp_path):
     (tmp_path / compiler.SOURCES).mkdir(parents=True)
     (tmp_path / compiler.SOURCES / "holonom.c").write_text("typedef int empty;\n")
     (tmp_path / compiler.LIBRARIES.parent).mkdir(parents=True)
-    for name in ("runtime/layout.py", "runtime/errors.py", "kernel/scratch.py"):
+    for name in ("options.py", "runtime/layout.py", "runtime/errors.py", "kernel/scratch.py"):
         shutil.copy(ROOT / "solver" / name, tmp_path / "solver" / name)
     return tmp_path
 

@@ -74,7 +74,7 @@ def test_the_error_of_a_pendulum_is_that_of_elliptic_functions(capsys, order, st
 
 def test_steps_too_long_for_a_rotor_are_said_so_with_the_step_that_is_short_enough(capsys):
     """M/J = 240 rad/s2: 120 rad after 1 s; steps of 10 ms, in which it turns 2.4 rad, miss 8."""
-    fmu = text_fmu(ROTOR)
+    fmu = text_fmu(f"{ROTOR}[solver]\nstep_size = 0.01\n")
     code, seen, err = checked(capsys, fmu)
     error = 120.0 - run_fmu(fmu).values["r.angle"][-1]
     assert error > 8.0
@@ -100,7 +100,7 @@ def test_forces_that_are_off_are_said_where_the_path_is_exact(capsys):
     [drivers]
     motor = { type = "angle", joint = "j", value = "3*sin(20*t)" }
     """
-    _, seen, err = checked(capsys, text_fmu(text))
+    _, seen, err = checked(capsys, text_fmu(text), "--set", "solver.step_size=0.01")
     assert seen["error"] < 1e-12
     assert "off in" in err
     assert "torques by about" in err
@@ -139,7 +139,8 @@ def test_the_error_under_a_tolerance_is_that_of_elliptic_functions(capsys, toler
 
 def test_where_communication_steps_limit_steps_a_finer_run_is_found(capsys):
     """At 1e-2 and 1e-3 steps of 0.05 s are of order 5 alike."""
-    _, seen, _ = checked(capsys, text_fmu(PENDULUM), "--set", "solver.tolerance=0.01")
+    values = ("--set", "solver.tolerance=0.01", "--set", "solver.method=fastest")
+    _, seen, _ = checked(capsys, text_fmu(PENDULUM), *values)
     assert seen["finer"] == {"solver.tolerance": pytest.approx(1e-5)}
     assert 0.0 < seen["error"] < 1e-2
 
@@ -176,7 +177,8 @@ def test_chaos_of_a_double_pendulum_is_told_with_the_time_until_which_it_is_righ
 
 def test_a_regular_motion_of_the_same_length_is_not_called_chaos(capsys):
     """A pendulum at 90 degrees: its phase error grows with time."""
-    _, seen, err = checked(capsys, scene_fmu("pendulum"), "--stop", 60, "--step", 0.1)
+    values = ("--set", "solver.step_size=0.01", "--stop", 60, "--step", 0.1)
+    _, seen, err = checked(capsys, scene_fmu("pendulum"), *values)
     assert seen["error"] > 1e-3
     assert "multiplies" not in err
     assert "too long" in err
@@ -252,7 +254,8 @@ def test_errors_that_add_up_are_no_chaos_wherever_they_begin(power, begin):
 
 @pytest.mark.parametrize(("limit", "code", "word"), [(1e-2, 0, "yes"), (1e-6, 1, "NO")])
 def test_a_limit_of_accuracy_is_tested_as_the_others(capsys, limit, code, word):
-    found, out, _ = run(capsys, "check", text_fmu(PENDULUM), "--accuracy", limit)
+    values = ("--set", "solver.step_size=0.01", "--accuracy", limit)
+    found, out, _ = run(capsys, "check", text_fmu(PENDULUM), *values)
     assert found == code
     row = next(line for line in out.splitlines() if line.startswith("error of the path"))
     assert row.split()[-1] == word
@@ -271,9 +274,13 @@ def test_the_table_names_the_worst_output_of_each_kind(capsys):
 
 
 def test_what_does_not_move_is_not_repeated(capsys):
-    _, out, err = run(capsys, "check", text_fmu(PENDULUM.replace("-9.81", "0")), "--json")
+    fmu = text_fmu(PENDULUM.replace("-9.81", "0"))
+    _, out, err = run(capsys, "check", fmu, "--json")
     assert "accuracy" not in json.loads(out)
     assert err == ""
+    code, out, err = run(capsys, "check", fmu, "--accuracy", 1e-3)
+    assert (code, err) == (0, "")
+    assert out.splitlines()[-1] == "nothing moved, so that no error of the path is measured"
 
 
 def test_both_runs_have_the_same_inputs(capsys, tmp_path):
@@ -303,7 +310,7 @@ def test_an_fmu_that_hides_its_settings_is_measured_as_well(capsys, tmp_path):
 
 
 def test_a_finer_run_that_fails_leaves_the_accuracy_open_and_fails_a_limit():
-    fmu = str(text_fmu(PENDULUM))
+    fmu = str(text_fmu(f"{PENDULUM}[solver]\nstep_size = 0.01\n"))
     coarse = run_fmu(fmu, with_local=True)
     found = accuracy(fmu, {}, coarse, lambda _: replace(coarse, finished=False, reason="it broke"))
     assert found.verdict.is_warning

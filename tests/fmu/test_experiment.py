@@ -7,6 +7,10 @@ import pytest
 from tests.fmu_instance import Instance, instance, pendulum
 
 
+CHOSEN = {"step_size": 0.0, "order": 0.0, "tolerance": 0.0}
+"""Settings of which none is given."""
+
+
 @pytest.mark.parametrize("native", [False, True], ids=["python", "native"])
 def test_a_second_experiment_without_a_stop_time_takes_the_first_one_back(native):
     """Both the last time of a step, and the length of the run for which a tolerance holds."""
@@ -28,23 +32,44 @@ def test_a_second_experiment_without_a_stop_time_takes_the_first_one_back(native
 @pytest.mark.parametrize(
     ("own", "tolerance", "taken", "words"),
     [
-        (1e-4, 1e-7, 1e-7, ""),
-        (1e-4, -1.0, 1e-4, "tolerance -1.0 has no effect: it must be > 0"),
-        (1e-4, 1e-2, 1e-4, "tolerance 0.01 has no effect: solver.tolerance is 0.0001, which is"),
-        (1e-4, 1e-20, 1e-4, "tolerance 1e-20 has no effect: solver.tolerance: must be 0 or"),
-        (0.0, 1e-7, 0.0, "tolerance 1e-07 has no effect: this run has fixed steps"),
+        ({"tolerance": 1e-4}, 1e-7, 1e-7, ""),
+        ({}, 1e-7, 1e-7, ""),  # for 1e-4
+        ({"tolerance": 1e-5}, -1.0, 1e-5, "tolerance -1.0 has no effect: it must be >= 1e-14"),
+        ({"tolerance": 1e-5}, 1e-20, 1e-5, "tolerance 1e-20 has no effect: it must be >= 1e-14"),
+        ({"tolerance": 1e-5}, 1e-2, 1e-5, "tolerance 0.01 has no effect: that of this run is 1e-05"),
+        ({}, 1e-2, 1e-4, "tolerance 0.01 has no effect: that of this run is 0.0001"),
+        ({"step_size": 0.01}, 1e-7, 0.0, "tolerance 1e-07 has no effect: this run has fixed steps"),
     ],
 )
 def test_an_fmu_takes_a_tolerance_that_is_tighter_than_its_own_and_else_says_why(
     own, tolerance, taken, words, native
 ):
-    with instance(pendulum(native=native)) as fmu:
-        fmu.set(solver__tolerance=own)
-        fmu.fmu.setupExperiment(tolerance=tolerance, startTime=0.0, stopTime=2.0)
-        assert fmu.get("solver.tolerance") == taken
-        said = [text for _, _, text in fmu.log if "tolerance" in text]
-        assert len(said) == bool(words)
-        assert all(text.startswith(words) for text in said)
+    runs = []
+    for asked, settings in ((tolerance, own), (None, {"tolerance": taken} if taken else own)):
+        with instance(pendulum(native=native)) as fmu:
+            fmu.set(**{f"solver__{name}": value for name, value in {**CHOSEN, **settings}.items()})
+            fmu.fmu.setupExperiment(tolerance=asked, startTime=0.0, stopTime=2.0)
+            fmu.fmu.enterInitializationMode()
+            fmu.fmu.exitInitializationMode()
+            said = [text for _, _, text in fmu.log if "tolerance" in text]
+            assert len(said) == bool(words and asked)
+            assert all(text.startswith(words) for text in said)
+            runs.append(fmu.run(0.0, 0.1, 10))
+    assert runs[0] == runs[1]
+
+
+@pytest.mark.parametrize("native", [False, True], ids=["python", "native"])
+def test_a_tolerance_of_the_host_does_not_turn_equal_steps_that_are_set_later_into_others(native):
+    runs = []
+    for tolerance in (None, 1e-7):
+        with instance(pendulum(native=native)) as fmu:
+            fmu.set(**{f"solver__{name}": value for name, value in CHOSEN.items()})
+            fmu.fmu.setupExperiment(tolerance=tolerance, startTime=0.0, stopTime=2.0)
+            fmu.set(solver__step_size=0.01)
+            fmu.fmu.enterInitializationMode()
+            fmu.fmu.exitInitializationMode()
+            runs.append(fmu.run(0.0, 0.1, 10))
+    assert runs[0] == runs[1]
 
 
 @pytest.mark.parametrize("native", [False, True], ids=["python", "native"])

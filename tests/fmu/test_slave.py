@@ -96,7 +96,7 @@ def test_a_value_that_is_not_finite_is_refused_until_a_good_one_comes(bad):
     ("values", "words"),
     [
         ({"solver__start": "50% more"}, ("solver.start", "50% more")),
-        ({"solver__step_size": 0.0}, ("solver.step_size", "> 0")),
+        ({"solver__step_size": -0.01}, ("solver.step_size", ">= 0")),
         ({"solver__max_newton": -3.0}, ("solver.max_newton", "-3")),
         ({"length": math.nan}, ("length", "nan")),
         ({"A__x": 1.0}, ("A.x",)),

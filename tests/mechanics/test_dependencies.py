@@ -114,6 +114,8 @@ sum = { value = "A.x + 2*shown*A.vx" }
 late = { value = "A.x + ramped + smoothed" }
 power = { value = "twist*arm.angular_velocity" }
 pull = { value = "2*spring.force" }
+[solver]
+step_size = 0.01
 """
 """Inputs in every place: laws of springs, dampers, energies, loads, drivers, a belt, outputs."""
 SENSING = TWO.replace("SENSED", "0.1*A.x")
@@ -228,7 +230,7 @@ def test_what_answers_at_the_start_is_listed(name, settings):
 @pytest.mark.parametrize("name", SOURCES)
 def test_what_answers_to_a_setting_at_the_start_is_listed(name):
     model, before = model_of(name), start_values(name)
-    others = {"order": 4.0, "start": "equilibrium"}
+    others = {"order": 4.0, "start": "equilibrium", "method": "fastest"}
     for index, variable in enumerate(model.variables):
         if variable.kind != "option":
             continue
@@ -303,7 +305,7 @@ def test_what_is_listed_answers_to_an_input_at_once_and_nothing_else_does(name):
 
 
 def test_reactions_and_driven_places_follow_in_the_next_step_however_short():
-    pairs = [("push", "rod.force"), ("lift", "E.y"), ("lift", "hanger.force"), ("pull", "C.vx")]
+    pairs = [("push", "rod.force"), ("lift", "E.y"), ("pull", "C.vx")]
     model = model_of("two")
     for source, output in pairs:
         assert model.index(output) in moved_by("two", model.index(source), 1e-3)

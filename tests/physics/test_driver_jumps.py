@@ -38,7 +38,7 @@ def lag(model: solver.Model) -> list[str]:
 @pytest.mark.parametrize("angle", JUMPS.values(), ids=JUMPS)
 def test_a_driver_whose_value_or_rate_jumps_is_told_and_fails_a_check(angle, tmp_path, capsys):
     scene = tmp_path / "arm.toml"
-    scene.write_text(ARM.format(angle=angle))
+    scene.write_text(f"{ARM.format(angle=angle)}[solver]\nstep_size = 0.01\n")
     (said,) = lag(solver.assemble(solver.load(scene)))
     assert "look for a driver or a constraint whose value or rate jumps" in said
     fmu = build(scene, tmp_path / "arm.fmu")
@@ -91,6 +91,6 @@ position = [1, 0]
 mass = 1
 inertia = 1
 """
-    (said,) = lag(solver.assemble(solver.loads(PLANETARY + driver * driven)))
+    (said,) = lag(solver.assemble(solver.loads(f"{PLANETARY}{driver * driven}[solver]\nstep_size = 0.01\n")))
     assert "jumps" not in said
     assert said.endswith("set a solver.tolerance, or a shorter solver.step_size")

@@ -93,7 +93,7 @@ def test_a_force_that_turns_with_its_body_works_along_the_mean_of_its_axes(place
 @pytest.mark.parametrize("axes", ["global", "body"])
 def test_a_torque_on_a_body_in_the_plane_does_torque_times_angle(axes, h):
     law = f'[forces]\nload = {{ type = "torque", body = "A", value = -1.1, axes = "{axes}" }}\n'
-    run = solver.simulate(solver.loads(FREE[2] + law), stop_time=6.0, step_size=h)
+    run = solver.simulate(solver.loads(FREE[2] + law), stop_time=6.0, step_size=h, internal_step=h)
     turned = run["A.angle"] - 0.3
     assert turned[-1] < -30.0
     assert run["energy.work"] == pytest.approx(-1.1 * turned, rel=1e-12, abs=1e-12)

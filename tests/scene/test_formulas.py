@@ -152,6 +152,7 @@ def test_a_velocity_row_takes_the_time_and_inputs_in_the_middle_of_a_step(slope)
     text += ' = ["u**2", 0] }\n[constraints]\nc = { velocity = "A.vy - S*A.vx" }\n'
     scene = POINTS.replace("u = {}", 'u = { interpolation = "ramp" }') + text.replace("S", slope)
     moved = solver.Integrator(solver.assemble(solver.loads(scene)))
+    moved["solver.step_size"] = 0.01
     for k in range(5):
         moved["u"] = 0.1 * (k + 1)
         moved.advance(k * 0.1, 0.1)
@@ -159,7 +160,9 @@ def test_a_velocity_row_takes_the_time_and_inputs_in_the_middle_of_a_step(slope)
 
 
 def test_a_velocity_row_follows_the_time_where_nothing_else_does():
-    moved = start('[constraints]\nc = { velocity = "A.vy - t*A.vx" }\n')
+    moved = start(
+        '[constraints]\nc = { velocity = "A.vy - t*A.vx" }\n[solver]\nstep_size = 0.01\n'
+    )
     for k in range(50):
         moved.advance(k * 0.01, 0.01)
     assert moved["A.vy"] == pytest.approx(0.5 * float(moved["A.vx"]), abs=1e-4)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from solver.options import tolerance_of
 from solver.scene import (
     Distance,
     Expr,
@@ -75,14 +76,21 @@ def test_defaults_are_filled_in():
     assert scene.gravity == (0.0, 0.0)
     assert scene.description == ""
     assert scene.points["A"].mass == 2.0
-    assert scene.solver.step_size == 0.01
+    assert scene.solver.step_size == 0.0  # the tolerance of 1e-4 chooses
+    assert tolerance_of(vars(scene.solver)) == 1e-4
     assert scene.experiment.step_size == pytest.approx(0.01)  # of a run of 1 s
     assert scene.experiment.stop_time == 1.0
     assert scene.inputs["push"].start == 0.0
 
 
-def test_the_internal_step_follows_a_shorter_communication_step():
-    assert loads(SHORT + "[experiment]\nstep_size = 0.002").solver.step_size == 0.002
+@pytest.mark.parametrize("setting", ["step_size = 0.02", "order = 4"])
+def test_a_step_or_an_order_chooses_equal_steps(setting):
+    assert tolerance_of(vars(loads(f"{SHORT}[solver]\n{setting}").solver)) == 0.0
+
+
+def test_a_tolerance_chooses_steps_whatever_order_is_asked_for():
+    scene = loads(f"{SHORT}[solver]\nstep_size = 0.02\norder = 4\ntolerance = 1e-6")
+    assert tolerance_of(vars(scene.solver)) == 1e-6
 
 
 def test_settings_may_be_constant_expressions():

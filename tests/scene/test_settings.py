@@ -84,10 +84,10 @@ def test_only_longest_step_limits_the_steps_of_a_tolerance():
     assert limited["solver.substeps"] >= 100.0 > free["solver.substeps"]
 
 
-@pytest.mark.parametrize(("tolerance", "chosen"), [(0.0, 2.0), (1e-9, 8.0)])
-def test_order_0_is_left_to_the_tolerance_and_is_2_without_one(tolerance, chosen):
+@pytest.mark.parametrize(("steps", "chosen"), [("step_size = 0.01", 2.0), ("tolerance = 1e-9", 8.0)])
+def test_order_0_is_left_to_the_tolerance_and_is_2_without_one(steps, chosen):
     def last(order: str, **given: float) -> float:
-        text = f"{PENDULUM}[solver]\ntolerance = {tolerance}\n{order}\n"
+        text = f"{PENDULUM}[solver]\n{steps}\n{order}\n"
         model = solver.assemble(solver.loads(text))
         outputs = ["solver.order_in_use"]
         run = solver.simulate(

@@ -76,7 +76,7 @@ def test_a_figure_has_one_plot_for_each_unit_with_the_values_of_the_run():
 
 def test_more_variables_than_one_tells_apart_are_refused():
     pytest.importorskip("matplotlib")
-    with pytest.raises(OptionError, match=r"30 variables are more than the 24 .* name fewer"):
+    with pytest.raises(OptionError, match=r"32 variables are more than the 24 .* name fewer"):
         trajectory().plot("*")
 
 

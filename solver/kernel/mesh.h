@@ -1,0 +1,85 @@
+/* The mesh of a run: how each of its internal steps was taken, and what ended it (repeat.h takes them again).
+
+   A row (layout.py, MESH) has what a step was asked for, and what came of it. A step that is taken back leaves no row: the next one
+   begins no later. */
+#ifndef HOLONOM_MESH_H
+#define HOLONOM_MESH_H
+
+#include "step.h"
+
+/* The mesh that is recorded, and the one that is repeated, or NULL; no FMU has either. */
+#if defined(HOLONOM_STATIC)
+static inline holonom_mesh *mesh_of(const context *c) { return (void)c, (holonom_mesh *)NULL; }
+static inline const holonom_mesh *repeated_by(const context *c) { return (void)c, (const holonom_mesh *)NULL; }
+#else
+static inline holonom_mesh *mesh_of(const context *c) { return c->mesh && !c->mesh->start ? c->mesh : NULL; }
+static inline const holonom_mesh *repeated_by(const context *c) { return c->mesh && c->mesh->start ? c->mesh : NULL; }
+#endif
+
+/* Number that tells modes of contacts and frictions apart. */
+HM_SELDOM static double modes_of(const context *c)
+{
+    uint32_t code = 0;
+    for (int32_t i = 0; i < n_contacts(c->m); i++) code = 31 * code + (is_closed(c, i) ? 2 : 1);
+    for (int32_t f = 0; f < n_frictions(c->m); f++) code = 31 * code + (uint32_t)friction_mode(c, f) + 1;
+    return code;
+}
+
+/* Notes what is done to the state ahead of a step, maybe more than once: tries that fail leave it so. */
+HM_SELDOM static void note_ahead(context *c, int what)
+{
+    holonom_mesh *x = mesh_of(c);
+    x->ahead[what] = x->ahead_of[what] == c->t ? x->ahead[what] + 1.0 : 1.0;
+    x->ahead_of[what] = c->t;
+}
+
+/* The row of the last step, whose end is at hand. */
+static double *last_row(const holonom_mesh *x) { return x->row + MESH_SIZE * (x->count - 1); }
+
+/* Begins the row of an internal step of length h. */
+HM_SELDOM static void begin_row(context *c, double h)
+{
+    holonom_mesh *x = mesh_of(c);
+    const double *head = c->s.head;
+    while (x->count && last_row(x)[MESH_TIME] >= c->t) x->count--;
+    x->is_full |= x->count == x->room;
+    if (x->is_full) x->count = x->room - 1;
+    double *row = x->row + MESH_SIZE * x->count;
+    memset(row, 0, sizeof(double) * MESH_SIZE);
+    row[MESH_TIME] = c->t;
+    row[MESH_LENGTH] = h;
+    row[MESH_USUAL] = usual_length(c);
+    row[MESH_ORDER] = head[S_ORDER_IN_USE];
+    row[MESH_EXPLICIT] = head[S_EXPLICIT];
+    row[MESH_CAREFUL] = c->careful;
+    row[MESH_KNOWN] = head[S_KNOWN];
+    for (int k = 0; k < HOLONOM_AHEAD; k++) row[MESH_LOWERED + k] = x->ahead_of[k] == c->t ? x->ahead[k] : 0.0;
+    row[MESH_FUNCTION] = -1.0;
+    row[MESH_MODES] = modes_of(c);
+}
+
+/* How the last internal step was taken. */
+static int taken_as(const context *c)
+{
+    if (c->way == EXPLICIT) return TAKEN_EXPLICIT;
+    return c->way == COMPOSED ? TAKEN_PAIRS : c->unweighted ? TAKEN_FINEST : TAKEN_COVER;
+}
+
+/* Ends the row of a step that was taken so. */
+HM_SELDOM static void end_row(context *c, int taken)
+{
+    holonom_mesh *x = mesh_of(c);
+    x->row[MESH_SIZE * x->count + MESH_TAKEN] = taken;
+    x->count++;
+}
+
+/* Says what ended the last step: a switch of laws; or the event function, with the value that is left of it. */
+HM_SELDOM static void say_end(context *c, int end, int32_t function, double value)
+{
+    double *row = last_row(mesh_of(c));
+    row[MESH_END] = end;
+    row[MESH_FUNCTION] = function;
+    row[MESH_VALUE] = value;
+}
+
+#endif

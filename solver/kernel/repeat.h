@@ -1,0 +1,212 @@
+/* Repeats the mesh of a run with other numbers: each internal step as the recorded one was taken, of a length that is a smooth function of
+   the numbers.
+
+   Steps are as long as they were, until an event or a switch of laws comes sooner or later. The steps from the last such point, or from the
+   communication point before, to that one are then longer or shorter by one factor: that at which its function has the value which the
+   recorded step has left of it. Those from there to the communication point take up the difference. No step is judged: a motion that
+   changes its contacts in another order is refused. */
+#ifndef HOLONOM_REPEAT_H
+#define HOLONOM_REPEAT_H
+
+#include "control.h"
+
+enum { MOST_TRIED = 40 };
+#define FIRST_SECANT 1e-4 /* by which the second factor differs from 1 */
+#define ROUND_OFF_SECANT 1e-9 /* so near to the factor before it round-off is all that is left */
+#define ROUND_OFF_VALUE 10.0 /* times what counts as zero: gaps of short pieces are not told more exactly */
+#define FIRST_SHORTER 0.01 /* likewise where steps beyond the event fail */
+#define MOST_FACTOR 4.0   /* of lengths, and its inverse */
+#define REACH 1.25        /* times the recorded length: how far on a switch is looked for */
+
+/* Steps between two points that the mesh keeps: rows from first to last, which begin at `begin` now, `factor` times as long; `end` is their
+   end, or NAN where the last one is as long as that tells. */
+typedef struct mesh_piece {
+    const double *first, *last;
+    double begin, factor, end;
+} mesh_piece;
+
+static double recorded_length(const mesh_piece *x) { return x->last[MESH_TIME] + x->last[MESH_LENGTH] - x->first[MESH_TIME]; }
+
+static int is_as_recorded(const mesh_piece *x) { return x->factor == 1.0 && x->begin == x->first[MESH_TIME]; }
+
+/* Takes the step of a row again, of length h. */
+static int32_t take_again(context *c, const double *row, double h)
+{
+    double *head = c->s.head;
+    int32_t status = HOLONOM_OK;
+    head[S_WANTED] = row[MESH_USUAL];
+    head[S_ORDER_IN_USE] = row[MESH_ORDER];
+    head[S_EXPLICIT] = row[MESH_EXPLICIT];
+    head[S_KNOWN] = fmin(head[S_KNOWN], row[MESH_KNOWN]);
+    c->careful = row[MESH_CAREFUL] != 0.0;
+    c->unweighted = 0;
+    c->damped = is_dissipative(c);
+    if (row[MESH_LOWERED] != 0.0) lower_penalties(c);
+    for (double k = 0.0; !status && k < row[MESH_PROJECTED]; k++) status = project_velocities(c, S_IMPACT);
+    for (double k = 0.0; !status && k < row[MESH_STARTED]; k++) {
+        context at = rows_at_state(c);
+        take_unknowns(&at);
+        status = keep_explicit_start(c, &at);
+    }
+    if (!status && row[MESH_PROJECTED] != 0.0) status = event_functions(c, values_at(c, AT_LOW));
+    if (status) return status;
+    if (is_unilateral(c->m)) keep_start(c);
+    const int is_brief = row[MESH_TAKEN] == TAKEN_SHORT;
+    status = is_brief ? short_piece(c, h) : internal_step(c, h);
+    if (status) return status;
+    if (!is_brief && taken_as(c) != row[MESH_TAKEN]) return HOLONOM_MESH_METHODS;
+    if (row[MESH_PUT_BACK] != 0.0) put_only_velocities_back(c);
+    return HOLONOM_OK;
+}
+
+/* Looks for changes of contacts in a step that has just been taken, of length h from t, where the recorded one had none. */
+static int32_t look_for_events(context *c, double t, double law_time, double h)
+{
+    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
+    double covered = h;
+    int32_t status = HOLONOM_OK;
+    c->event = -1;
+    if (!is_quiet(c, h, low, high)) {
+        status = event_functions(c, high);
+        if (!status) status = find_event(c, t, law_time, h, &covered);
+    }
+    if (status) return status;
+    if (c->event >= 0 || covered < h) return HOLONOM_MESH_EVENTS;
+    if (!friction_takes_energy(c)) return HOLONOM_CONTACT_UNDECIDED;
+    if (follow_slips(c, high)) return HOLONOM_MESH_EVENTS;
+    copy_values(c, high, low);
+    return HOLONOM_OK;
+}
+
+/* Takes the steps of a piece; with `looks` events are looked for in those that had none. */
+static int32_t take_piece(context *c, const mesh_piece *x, int looks)
+{
+    const int same = is_as_recorded(x), tight = c->s.head[S_TOLERANCE] > 0.0;
+    for (const double *row = x->first; row <= x->last; row += MESH_SIZE) {
+        const double law_time = c->number[c->m->time_at];
+        const double t = same ? row[MESH_TIME] : x->begin + x->factor * (row[MESH_TIME] - x->first[MESH_TIME]);
+        const int is_last = row == x->last, is_located = row[MESH_END] > END_SWITCH;
+        const double h = !same && is_last && x->end == x->end ? x->end - t : x->factor * row[MESH_LENGTH];
+        if (is_stopped(c)) return HOLONOM_STOPPED;
+        if (row[MESH_TAKEN] == TAKEN_STEPPED) return HOLONOM_MESH_STEPPED;
+        if (!(h > 0.0) || modes_of(c) != row[MESH_MODES]) return HOLONOM_MESH_EVENTS;
+        if (looks && tight && row[MESH_END] != END_SWITCH && length_to_switch(c, t, h) < h) return HOLONOM_MESH_EVENTS;
+        c->t = t;
+        int32_t status = take_again(c, row, h);
+        if (!status && looks && is_unilateral(c->m) && !is_located) status = look_for_events(c, t, law_time, h);
+        else if (!is_located) follow_slips(c, values_at(c, AT_HIGH));
+        if (status) return status;
+        if (is_located) return HOLONOM_OK; /* contacts change first */
+        if (tight) follow_energies(c);
+        else follow_coarseness(c, h);
+    }
+    return HOLONOM_OK;
+}
+
+/* Takes a piece from its start, which the mesh keeps; `left` of the function of its event there is more than in the recorded run. */
+static int32_t take_to_event(context *c, const mesh_piece *x, double law_time, double *left)
+{
+    const event_values at = values_at(c, AT_TRIAL);
+    restore_state(c, repeated_by(c)->start, x->begin, law_time);
+    int32_t status = take_piece(c, x, 0);
+    if (!status) status = event_functions(c, at);
+    *left = at.value[(int32_t)x->last[MESH_FUNCTION]] - x->last[MESH_VALUE];
+    return status;
+}
+
+/* Finds the factor at which a piece ends nearest to its event, by secants until round-off ends them. Beyond the event steps may fail. */
+static int32_t meet_event(context *c, mesh_piece *x, double law_time, double longest)
+{
+    double left, before = 0.0, last = NAN, best = NAN, least = INFINITY, shorter = FIRST_SHORTER;
+    int is_met = 0;
+    for (int k = 0; k < MOST_TRIED; k++) {
+        const int32_t status = take_to_event(c, x, law_time, &left);
+        double next;
+        if (status == HOLONOM_STOPPED) return status;
+        if (status || !(fabs(left) < INFINITY)) {
+            next = last == last ? 0.5 * (last + x->factor) : x->factor - shorter;
+            shorter *= 2.0;
+        } else {
+            if (fabs(left) < least) least = fabs(left), best = x->factor;
+            is_met |= left == 0.0 || fabs(x->factor - last) < ROUND_OFF_SECANT;
+            next = last == last ? x->factor - left * (x->factor - last) / (left - before) : x->factor + copysign(FIRST_SECANT, left);
+            last = x->factor;
+            before = left;
+        }
+        const int is_near = next * MOST_FACTOR > 1.0 && next < MOST_FACTOR && next * recorded_length(x) <= longest;
+        if (is_met || next == x->factor || !is_near) break;
+        x->factor = next;
+    }
+    const int stops = x->last[MESH_END] == END_STOP;
+    const double most = stops ? SLIP_LEFT / RESTING * speed_tolerance(c) : ROUND_OFF_VALUE * value_tolerance(c, (int32_t)x->last[MESH_FUNCTION]);
+    x->factor = best;
+    return is_met || least <= most ? HOLONOM_OK : HOLONOM_MESH_EVENTS;
+}
+
+/* Takes a piece to its event. */
+static int32_t take_event(context *c, mesh_piece *x, double law_time, double longest)
+{
+    const int32_t function = (int32_t)x->last[MESH_FUNCTION];
+    const event_values at = values_at(c, AT_TRIAL);
+    keep_state(c, repeated_by(c)->start);
+    int32_t status = meet_event(c, x, law_time, longest);
+    if (status) return status;
+    restore_state(c, repeated_by(c)->start, x->begin, law_time);
+    status = event_functions(c, values_at(c, AT_LOW));
+    if (!status) status = take_piece(c, x, 1);
+    if (!status) status = event_functions(c, at);
+    if (status) return status;
+    if (x->last[MESH_END] == END_STOP) follow_slips(c, at), at.value[function] = 0.0;
+    for (int32_t k = 0; k < c->m->n_contacts + c->m->n_frictions; k++)
+        if (k != function && at.value[k] < -value_tolerance(c, k)) return HOLONOM_MESH_EVENTS;
+    return friction_takes_energy(c) ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
+}
+
+/* Changes contacts at the end of a piece. */
+static int32_t change_contacts(context *c, const double *row)
+{
+    c->event = row[MESH_END] == END_EVENT ? (int32_t)row[MESH_FUNCTION] : -1;
+    int32_t status = change_modes(c);
+    if (!status) status = settle(c);
+    if (!status && c->s.head[S_TOLERANCE] > 0.0) follow_energies(c);
+    return status;
+}
+
+/* Finds where a piece ends at its switch. */
+static int32_t meet_switch(context *c, mesh_piece *x, double longest)
+{
+    const double own = x->last[MESH_LENGTH], length = fmin(REACH * recorded_length(x), longest);
+    if (is_as_recorded(x) && length_to_switch(c, x->last[MESH_TIME], REACH * own) == own) return HOLONOM_OK;
+    const double found = length_to_switch(c, x->begin, length);
+    if (!(found < length)) return HOLONOM_MESH_EVENTS;
+    x->factor = found / recorded_length(x);
+    x->end = x->begin + found;
+    return HOLONOM_OK;
+}
+
+/* Whether a row has no more than round-off of the time: it repeats an event, which need not happen so often now. */
+static int is_no_time(const double *row) { return row[MESH_LENGTH] <= 1e-15 * fabs(row[MESH_TIME]); }
+
+/* Repeats the steps of a communication step of length `step` from `start`. */
+HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
+{
+    const double *row = repeated_by(c)->row, *behind = row + MESH_SIZE * repeated_by(c)->count, end = start + step;
+    double later = 0.0; /* by which the next piece begins later than in the recorded run */
+    int32_t status = row < behind ? HOLONOM_OK : HOLONOM_MESH_METHODS;
+    while (!status && row < behind) {
+        mesh_piece x = {row, row, row[MESH_TIME] + later, 1.0, NAN};
+        while (x.last[MESH_END] == END_LENGTH && x.last + MESH_SIZE < behind) x.last += MESH_SIZE;
+        const double law_time = c->number[c->m->time_at], longest = end - x.begin;
+        const int ends = (int)x.last[MESH_END];
+        row = x.last + MESH_SIZE;
+        if (is_no_time(x.first) && modes_of(c) != x.first[MESH_MODES]) continue;
+        if (ends == END_LENGTH && later != 0.0) x.factor = longest / (end - x.first[MESH_TIME]), x.end = end;
+        if (ends == END_SWITCH) status = meet_switch(c, &x, longest);
+        if (!status) status = ends > END_SWITCH ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
+        if (!status && ends > END_SWITCH) status = change_contacts(c, x.last);
+        if (!is_as_recorded(&x)) later += (x.factor - 1.0) * recorded_length(&x);
+    }
+    return status;
+}
+
+#endif
