@@ -171,11 +171,24 @@ static int has_strong_dampers(const context *c)
     return c->damped && c->s.head[S_LONGEST_EXPLICIT] == 0.0 && may_step_explicitly(c);
 }
 
+/* Largest of what functions and drivers read, an angle of many turns or a place far away, over 1 rad and the size: they round it. */
+HM_SELDOM static double largest_reading(const context *c)
+{
+    const double size = c->number[c->m->extent_at];
+    double largest = 1.0;
+    for (int32_t j = 0; j < c->m->n_active; j++) {
+        const double value = fabs(quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL));
+        largest = fmax(largest, c->m->quantity_kind[j] == QUANTITY_ANGLE ? value : value / size);
+    }
+    return largest;
+}
+
 /* Whether round-off explains a difference between steps of length h. Velocities are only known to round-off of places over
    h: shorter steps would show more of it, not less error.                                                        */
 static int is_noise(const context *c, double round_off, double difference, double h)
 {
-    return difference <= round_off * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
+    const double shown = c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300));
+    return difference <= round_off * (1.0 + largest_reading(c) * shown);
 }
 
 /* Error of the last step, of length h; 0 where nothing tells it yet. */

@@ -11,7 +11,7 @@
 #include "tangent.h"
 
 enum { MOST_SECANTS = 12 };
-#define ALIKE 1e-6     /* part of a change that other pairs do not show already: less tells nothing new */
+#define SHOWN_BEFORE 1e-6 /* part of a change that other pairs do not show already: less tells nothing new */
 #define READ_ENOUGH 1e-9 /* increment over the step below which laws stay as they were read last: Newton's iteration ends with them */
 
 /* Product of increments x and y (end_pivot each) of all islands in the mass norm. */
@@ -47,7 +47,7 @@ HM_SELDOM static void learn_secant(context *c, const double *g)
         add_multiple(n, -part, own, dp);
     }
     const double left = sqrt(product_of_increments(c, dq, dq));
-    if (!(left > ALIKE * size)) return;
+    if (!(left > SHOWN_BEFORE * size)) return;
     for (int32_t i = 0; i < n; i++) p[i] = dp[i] / left, q[i] = dq[i] / left;
     c->n_secants++;
 }
