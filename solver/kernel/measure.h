@@ -61,7 +61,7 @@ static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
     return (m->n_rows || m->n_driven) && hm_tolerance(c->s.head) > 0.0 && !is_unilateral(m) &&
-           (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || (m->time_dependent && may_switch(m)));
+           (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
 }
 
 /* Likewise, as the state asks for them, beginning with those that are there; where a law jumps now, on the side that it is on now, as
