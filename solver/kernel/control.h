@@ -43,7 +43,8 @@ static double longest_cover(const context *c)
 static double longest_next(const context *c, double time)
 {
     const double *head = c->s.head, share = SAFETY + fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
-    const double h = fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
+    double h = STRETCHED * head[S_WANTED];
+    if (h < time) h = fmax(h, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE]) * head[S_WANTED]);
     if (head[S_EXPLICIT] != 0.0) return fmin(h, longest_now(c, (int)head[S_ORDER_IN_USE]));
     return head[S_ORDER_IN_USE] > 2.0 ? fmin(h, longest_cover(c)) : h;
 }
@@ -96,6 +97,7 @@ static void choose_method(context *c, const step_error *e, double step)
         if (!(cost < least)) continue;
         least = cost;
         best = x;
+        if (x->way == COMPOSED && n == 1.0) break; /* nothing costs less than one pair */
     }
     if (best == present && head[S_EXPLICIT] == (best->way == EXPLICIT) && (c->way == best->way || c->unweighted)) return;
     head[S_ORDER_IN_USE] = best->order;
@@ -113,8 +115,10 @@ static void begin_control(context *c)
     const int may_be_explicit = may_step_explicitly(c), is_new = head[S_ORDER_IN_USE] == 0.0;
     c->damped = is_dissipative(c);
     c->longest_put_back = INFINITY;
-    if (may_be_explicit && !ends_explicitly(c)) find_longest(c);
-    const double eighth = rate > 0.0 ? 0.5 * hm_pow(hm_tolerance(head), 1.0 / 9.0) / rate : 0.0;
+    /* Pairs may be of any length: springs are looked at again where other steps come up. */
+    const int are_pairs = head[S_ORDER_IN_USE] == 2.0 && head[S_EXPLICIT] == 0.0;
+    if (may_be_explicit && !ends_explicitly(c) && !are_pairs) find_longest(c);
+    const double eighth = is_new && rate > 0.0 ? 0.5 * hm_pow(hm_tolerance(head), 1.0 / 9.0) / rate : 0.0;
     const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
     if (!takes_explicit(c) || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
     else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
@@ -147,8 +151,8 @@ static int judge_step(context *c, double h, double step)
     /* Where a mechanism almost stands, little energy is much velocity. */
     if (c->way != COMPOSED && !c->unweighted && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
-    const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
-    head[S_WANTED] = h * fmin(fmax(change, SHORTEST), 2.0);
+    const double change = share * (double)(1 << found) > SAFETY ? hm_pow(SAFETY / share, 1.0 / found) : 2.0;
+    head[S_WANTED] = h * fmax(change, SHORTEST);
     if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
     if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
     head[S_ERROR_ESTIMATE] += share * h * tolerated(c) / head[S_HORIZON];
@@ -255,7 +259,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         bound_across(c);
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
-        if (is_unilateral(c->m) && h > 0.0 && (status = end_piece(c, start + done, law_time, h, &covered))) {
+        if (is_unilateral(c->m) && (h > 0.0 || !crossed) && (status = end_piece(c, start + done, law_time, h, &covered))) {
             if (!may_step_over(status)) return status;
             undo_piece(c, start + done, law_time);
             head[S_WANTED] = 0.5 * h;
@@ -294,7 +298,7 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
             status = find_switch(c, step_piece, c->t, &length, step_piece(c, length), &crossed);
         }
         covered = length;
-        if (!status && length > 0.0) status = end_piece(c, start + done, law_time, length, &covered);
+        if (!status && (length > 0.0 || !crossed)) status = end_piece(c, start + done, law_time, length, &covered);
         if (status && may_step_over(status)) undo_piece(c, start + done, law_time);
         c->s.head[S_ORDER_IN_USE] = order;
         if (status) {

@@ -209,11 +209,11 @@ static int estimate_error(const context *c, double h, step_error *e)
         return 1;
     }
     const double part = c->way == EXPLICIT ? c->free_part : 1.0, root = 1.0 / (used->lower + 1.0);
-    const double turned = used->rate * hm_pow(difference, root), freed = used->rate * hm_pow(part * difference, root);
+    const double turned = used->rate * hm_pow(difference, root), freed = part == 1.0 ? turned : used->rate * hm_pow(part * difference, root);
     e->free = freed / h;
     e->rate = turned / h;
     if (c->way == EXPLICIT) e->rate = fmax(e->rate, mass_norm(c, c->s.a[0]) / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
-    e->mean = used->mean * hm_pow(freed, order + 1);
+    e->mean = used->mean * (order == 2 ? freed * freed * freed : hm_pow(freed, order + 1));
     const double before_it = c->s.head[S_LAST_RATE];
     const int is_settled = has_strong_dampers(c);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */

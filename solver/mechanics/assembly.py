@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
@@ -14,7 +15,7 @@ from solver.mechanics.parts import Parts
 from solver.mechanics.sensors import Sensors
 from solver.mechanics.structure import Structure, flat, pointers
 from solver.mechanics.switches import names_of_switches
-from solver.mechanics.tape import CODE, Motion, Numbers, Segment
+from solver.mechanics.tape import CODE, MOST_SWITCHES, Motion, Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS, tolerance_of
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
@@ -27,7 +28,7 @@ from solver.runtime.layout import (
     measured_size,
 )
 from solver.runtime.model import Rule
-from solver.scene import Expr, ExpressionError, Number, Scene
+from solver.scene import Expr, ExpressionError, Number, Scene, SceneWarning
 from solver.scene.reader import collector_paused
 
 STEEP = {CODE[name] for name in ("sqrt", "pow", "asin", "acos")}
@@ -107,6 +108,13 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     tables["input_course"] = array("i", courses)
     variables = tuple(variables_of(scene, table, structure, numbers))
     switches = [*numbers.tape.switches.values()]
+    if numbers.tape.has_more:
+        warnings.warn(
+            f"the formulas of '{scene.name}' have more than {MOST_SWITCHES} conditions and kinks: "
+            "steps do not end at the others, which costs accuracy there; write fewer of them",
+            SceneWarning,
+            stacklevel=2,
+        )
     tables["switch_table"] = flat(
         [x.argument, x.side, x.kind, x.segment, x.motion == Motion.WITH_QUANTITIES]
         for x in switches

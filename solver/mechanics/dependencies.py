@@ -4,9 +4,9 @@ At a communication point the motion is a state. Under a tolerance and without co
 those of the state, and follow at once all inputs that push its island; else multipliers, and with
 them reactions, are those of the step that led there, and an input acts on them by the next step
 alone. What always follows it at once are formulas that read it: those of outputs, of springs and
-other forces, of the energy that springs store, and of prescribed rates; and this only of an input that is held, as the others begin a step
-with the value that they had. At the start, a mechanism can be closed or brought to rest with
-everything that its island contains, so that all of that counts.
+other forces, of the energy that springs store, and of prescribed rates; and this only of an input
+that is held, as the others begin a step with the value that they had. At the start, a mechanism can
+be closed or brought to rest with everything that its island contains, so that all of that counts.
 """
 
 from __future__ import annotations

@@ -47,6 +47,8 @@ MOTION["sensor_rate"] = Motion.WITH_QUANTITIES
 COMPARISONS = ("lt", "le", "gt", "ge", "eq", "ne")
 SWITCHING = frozenset({*COMPARISONS, "sign", "abs", "min", "max", "floor", "ceil", "mod"})
 """Operations that jump or have a kink."""
+MOST_SWITCHES = 64
+"""Of a mechanism: all are looked at in every step, and each look runs all laws."""
 
 
 class Switch(NamedTuple):
@@ -119,6 +121,8 @@ class Tape:
         self._motion: dict[int, Motion] = dict(motion or {})
         self.switches: dict[tuple[int, Segment, int], Switch] = {}
         """By argument, segment and kind; each depends on those before it alone."""
+        self.has_more = False
+        """Whether operations beyond `MOST_SWITCHES` are left as they are."""
         self._sides: dict[str, int] = {}
         """Places of the sides, by their symbols."""
         self._known: dict[tuple[Operand, Segment], tuple[int, Segment]] = {}
@@ -191,8 +195,9 @@ class Tape:
         places = [place for place, _ in arguments]
         if number.op in SWITCHING and segment in (Segment.LAWS, Segment.SIGNALS):
             motion = max(self._motion.get(place, Motion.STANDS) for place in places)
-            if motion is not Motion.STANDS:
+            if motion is not Motion.STANDS and len(self.switches) < MOST_SWITCHES:
                 return self._switched(number, wanted, motion)
+            self.has_more |= motion is not Motion.STANDS
         if isinstance(number.args[-1], Grid):  # its coordinates stand one behind the other
             copies = [self._new() for _ in places[:-1]]
             for copied, place in zip(copies, places, strict=False):

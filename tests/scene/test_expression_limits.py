@@ -93,6 +93,7 @@ def random_tree(chance, operations, depth, leaves):
     return form.format(one, two)
 
 
+@pytest.mark.filterwarnings("ignore:.*conditions and kinks:solver.SceneWarning")
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("place", PLACES)
 def test_a_random_expression_of_the_largest_size_works(place, seed):
