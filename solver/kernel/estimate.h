@@ -223,7 +223,7 @@ static int estimate_error(const context *c, double h, step_error *e)
         else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
-    else if (order == 4 && before_it > 0.0 && e->rate > SUDDEN * before_it) e->mean = fmax(e->mean, AT_A_JUMP * difference);
+    else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m)) && e->rate > SUDDEN * before_it) e->mean = fmax(e->mean, AT_A_JUMP * difference);
     e->mean *= c->growth;
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;

