@@ -196,8 +196,9 @@ def simulate(
         Internal steps of a run of this mechanism, or one that differs in its numbers alone, to be
         repeated: results are smooth functions of parameters and start values, and the same to the
         last bit where these are the same (but for ``solver.*``, which tell of this run). Steps end
-        where contacts and laws change now; if these change in another order, the step fails. The
-        settings of the solver are those of the recorded run.
+        where contacts change now; if these change in another order, the step fails, and
+        mechanisms whose formulas switch record none. The settings of the solver are those of the
+        recorded run.
     **options
         Settings of the solver, such as ``tolerance=1e-6``; the internal step is ``internal_step``.
         One of `formulation`, `algorithm`, `multiplier_update`, `xi` and `omega` [rad/s] asks for
