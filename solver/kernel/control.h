@@ -10,7 +10,6 @@
 #include "switch_event.h"
 
 enum { MAX_REPEATS = 40 };
-#define JUMP 1e-12 /* of a driver's place, or over it: round-off of ramps is less */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
 #define REJECTED 2.0  /* times what a step may add, at which it is repeated */
@@ -180,14 +179,13 @@ HM_SELDOM static void follow_jumps(context *c)
     int jumps = 0, held = 1;
     signals_at(c, c->t, c->k.signal1);
     for (int32_t b = 0; b < c->m->n_signals; b++)
-        jumps |= fabs(c->k.signal1[b] - c->s.signal[b]) > JUMP * fmax(1.0, fabs(c->s.signal[b]));
+        jumps |= has_another_value(c->k.signal1[b], c->s.signal[b]);
     if (!jumps) return;
     context at = rows_at_state(c);
     double *before = c->k.whole_backup;
     keep_state(c, before);
     keep_motion(c, 0.0);
-    signal_rates_at(c, c->t, c->k.signal_rate);
-    place_driven(c);
+    follow_drivers(c);
     take_unknowns(&at);
     for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
     /* Velocities of a body that has turned far want factors of where it is now. */

@@ -84,11 +84,7 @@ static int32_t take_weighted(context *c, const double *booked)
         gained += i == 0 ? booked[i] : -booked[i];
     }
     gain_together(c, gained);
-    if (c->m->n_driven) { /* whose rates are right to the order */
-        signals_at(c, c->t, c->k.signal1);
-        signal_rates_at(c, c->t, c->k.signal_rate);
-        place_driven(c);
-    }
+    if (c->m->n_driven) follow_drivers(c);
     suspend_sliding(c, NULL, 1); /* no friction answers the corrections */
     context at = rows_at_state(c);
     take_unknowns(&at);

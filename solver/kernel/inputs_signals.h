@@ -168,4 +168,12 @@ HM_SELDOM static void place_driven(const context *c)
     }
 }
 
+/* Lets driven nodes and signals be where they are now, with their rates: half steps leave rates that are right to the order. */
+HM_SELDOM static void follow_drivers(const context *c)
+{
+    signals_at(c, c->t, c->k.signal1);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    place_driven(c);
+}
+
 #endif

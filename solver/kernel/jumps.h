@@ -4,6 +4,10 @@
 
 #include "measure.h"
 
+#define SAME_VALUE 1e-12 /* part of a signal, or of 1 m or rad, by which it may jump by rounding */
+
+static int has_another_value(double now, double before) { return !(fabs(now - before) <= SAME_VALUE * (1.0 + fabs(now))); }
+
 /* No polynomial through means and values from before and after a jump. */
 static void start_anew(context *c)
 {

@@ -220,7 +220,8 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     if (groups & (HOLONOM_MEASURE_CONTACTS & ~HOLONOM_MEASURE_FORCES)) measure_contacts(&c, y);
     if (groups & HOLONOM_MEASURE_ENERGIES) measure_energies(&c, y);
     if (groups & HOLONOM_MEASURE_MOMENTA) measure_momenta(&c, y);
-    const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE], head[S_ORDER_IN_USE] == 0.0 ? 0.0 : ends_explicitly(&c) ? 2.0 : 1.0,
+    const double method = head[S_ORDER_IN_USE] == 0.0 ? 0.0 : ends_explicitly(&c) ? 2.0 : 1.0;
+    const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE], method,
                                 head[S_ERROR_ESTIMATE] + hm_error_of_path(head, c.number[m->extent_at], head[S_EQUAL_STEPS]), head[S_AS_PAIRS],
                                 loads ? sampling(&c) : 0.0, head[S_COARSENESS], head[S_STATUS]};
     if (loads) memcpy(y->solver, of_solver, sizeof of_solver);

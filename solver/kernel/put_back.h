@@ -237,9 +237,7 @@ HM_SELDOM static void put_only_velocities_back(context *c)
     int done = 0;
     keep_state(c, before);
     keep_motion(c, 0.0);
-    signals_at(c, c->t, c->k.signal1);
-    signal_rates_at(c, c->t, c->k.signal_rate);
-    place_driven(c); /* half steps leave rates of driven nodes that are right to the order */
+    follow_drivers(c);
     take_unknowns(&at);
     if (!factorise_here(&at)) {
         follow_rows(&at);

@@ -293,9 +293,7 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
     memcpy(c->k.pair_backup, c->s.head, bytes);
     if (ends_explicitly(c)) return HOLONOM_OK;
-    signals_at(c, c->t, c->k.signal1);
-    signal_rates_at(c, c->t, c->k.signal_rate);
-    place_driven(c); /* half steps leave rates of driven nodes that are right to the order */
+    follow_drivers(c);
     const int32_t status = factorise_here(at);
     if (status) return status;
     keep_motion(c, 0.0);

@@ -11,7 +11,7 @@
 #include "stepped.h"
 #include "switches.h"
 
-enum { MOST_SWITCHES = 1000, MOST_TRIALS = 200 }; /* changes of sides in a communication step; lengths of a step that ends at one */
+enum { MOST_CHANGES = 1000, MOST_TRIALS = 200 }; /* changes of sides in a communication step; lengths of a step that ends at one */
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
 #define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
 
@@ -145,8 +145,6 @@ HM_SELDOM static int32_t find_switch(context *c, step_function take, double t, d
     return made == *h && !status ? HOLONOM_OK : step_anew(c, take, t, *h);
 }
 
-#define SAME_VALUE 1e-12 /* part of a signal, or of 1 m or rad, by which it may jump by rounding */
-
 /* Signals and their rates (signal1, signal_before) at time t, on the sides that they leave. */
 static void keep_signals(const context *c, double t)
 {
@@ -162,13 +160,13 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
     int jumps = 0;
     if (c->m->n_signals) signals_at(c, t, now);
     for (int32_t b = 0; b < c->m->n_signals; b++)
-        if (!(fabs(now[b] - c->k.signal1[b]) <= SAME_VALUE * (1.0 + fabs(now[b])))) return HOLONOM_SIGNAL_JUMPS;
+        if (has_another_value(now[b], c->k.signal1[b])) return HOLONOM_SIGNAL_JUMPS;
     if (c->m->n_signals) signal_rates_at(c, t, now);
     for (int32_t b = 0; b < c->m->n_signals; b++) jumps |= now[b] != c->k.signal_before[b];
     c->stop = NAN;
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
-    if (!(c->s.head[S_SWITCHED] < MOST_SWITCHES)) return HOLONOM_LAW_SWITCHES;
+    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES)) return HOLONOM_LAW_SWITCHES;
     return jumps ? jump_with_signals(c) : HOLONOM_OK;
 }
 

@@ -29,7 +29,7 @@ static double argument_at(const context *c, const switch_place *x, double t)
 /* Side on which the argument of a switch of the time is just after t, where its jet does not tell. */
 HM_SELDOM static double side_later(const context *c, const switch_place *x, double t)
 {
-    const double g = argument_at(c, x, (t + A_LITTLE_LATER));
+    const double g = argument_at(c, x, t + A_LITTLE_LATER);
     return side_after(x->kind, (hm_jet){g, 0.0, 0.0});
 }
 
@@ -61,8 +61,8 @@ HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
         changed = 0;
         run_arguments(c, t);
         for (int32_t k = 0; k < m->n_switches; k++) {
-            const int32_t at = switch_of(c, k)->argument;
             const switch_place *x = switch_of(c, k);
+            const int32_t at = x->argument;
             const hm_jet g = {c->number[at], c->k.jet[2 * at], c->k.jet[2 * at + 1]};
             const int is_told = x->is_of_motion || g.rate != 0.0 || g.bend != 0.0 || g.value != (x->kind == SWITCH_LEVEL ? floor(g.value) : 0.0);
             const double side = is_told ? side_after(x->kind, g) : side_later(c, x, t);
