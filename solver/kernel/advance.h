@@ -128,6 +128,15 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
     return changed && m->n_signals ? jump_with_signals(c) : HOLONOM_OK;
 }
 
+HM_SELDOM int32_t holonom_may_be_explicit(const holonom_model *m, double *number, double *state, double *work)
+{
+    context c;
+    open_context(&c, m, number, state, work);
+    const double *head = c.s.head;
+    const int order = (int)head[S_ORDER];
+    return head[S_METHOD] != 0.0 && hm_tolerance(head) > 0.0 && (!order || is_explicit_order(order)) && allows_explicit(&c);
+}
+
 int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step,
                         holonom_watch *watch, holonom_mesh *mesh)
 {

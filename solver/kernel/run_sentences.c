@@ -234,6 +234,17 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
                mass[heaviest] / mass[lightest], light.text);
 }
 
+void hm_say_steps(hm_text *text, const double *head, int is_explicit)
+{
+    const double tolerance = hm_tolerance(head), order = head[S_ORDER];
+    const int is_stepped = head[S_CONTACT_MODE] != 0.0;
+    hm_say(text, "%sconserving steps", is_explicit ? "explicit and " : "");
+    if (!(tolerance > 0.0) || order > 0.0) hm_say(text, " of order %6g", order > 0.0 && !is_stepped ? order : 2.0);
+    if (tolerance > 0.0) hm_say(text, ", chosen for a relative error of the run of %6g", tolerance);
+    else hm_say(text, ", of at most %6g s", hm_step_size(head));
+    if (is_stepped && head[S_TOLERANCE] > 0.0) hm_say(text, ": contact_mode stepped takes equal steps, whatever the tolerance");
+}
+
 static int has_dampers(const hm_model_file *f, const double *numbers)
 {
     for (int32_t j = 0; j < f->model.n_elements; j++)
