@@ -185,12 +185,16 @@ HM_SELDOM static void follow_jumps(context *c)
     double *before = c->k.whole_backup;
     keep_state(c, before);
     keep_motion(c, 0.0);
+    forget_momenta(c); /* which drivers change */
     follow_drivers(c);
     take_unknowns(&at);
     for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
     /* Velocities of a body that has turned far want factors of where it is now. */
     const int is_placed = !held && !factorise_here(&at);
-    if (is_placed) keep_motion(c, 0.0); /* what went before is booked */
+    if (is_placed) {
+        keep_motion(c, 0.0); /* what went before is booked */
+        forget_momenta(c);
+    }
     if (!is_placed || !put_velocities_back(c, &at)) take_state(c, before);
     else follow_turns(c);
     c->s.head[S_MEAN_TIME] = INFINITY;
