@@ -172,31 +172,6 @@ HM_SELDOM static void bound_across(context *c)
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
 }
 
-/* Lets what drivers hold follow signals that have jumped since the last communication step, at once: steps of any length would throw
-   it about as much faster as they are shorter. The work is what energies ask for. Where rows cannot follow, all stays as it is. */
-HM_SELDOM static void follow_jumps(context *c)
-{
-    int jumps = 0, held = 1;
-    signals_at(c, c->t, c->k.signal1);
-    for (int32_t b = 0; b < c->m->n_signals; b++)
-        jumps |= has_another_value(c->k.signal1[b], c->s.signal[b]);
-    if (!jumps) return;
-    context at = rows_at_state(c);
-    double *before = c->k.whole_backup;
-    keep_state(c, before);
-    keep_motion(c, 0.0);
-    follow_drivers(c);
-    take_unknowns(&at);
-    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
-    /* Velocities of a body that has turned far want factors of where it is now. */
-    const int is_placed = !held && !factorise_here(&at);
-    if (is_placed) keep_motion(c, 0.0); /* what went before is booked */
-    if (!is_placed || !put_velocities_back(c, &at)) take_state(c, before);
-    else follow_turns(c);
-    c->s.head[S_MEAN_TIME] = INFINITY;
-    forget_halves(c);
-}
-
 /* Whether so many half steps more would be too many in a communication step; `calm` ones were made before the present moment. */
 static int are_too_many(double made, double more, double *calm, int32_t failed)
 {

@@ -186,7 +186,6 @@ static int32_t take_to_switch(context *c, piece *x)
 /* Signals and their rates (signal1, signal_before) at time t, on the sides that they leave. */
 static void keep_signals(const context *c, double t)
 {
-    if (!c->m->n_signals) return;
     signals_at(c, t, c->k.signal1);
     signal_rates_at(c, t, c->k.signal_before);
 }
@@ -194,18 +193,12 @@ static void keep_signals(const context *c, double t)
 /* Begins anew on other sides from time t on. Signals and their rates were those of keep_signals. */
 HM_SELDOM static int32_t begin_on_sides(context *c, double t)
 {
-    double *now = c->k.signal_rate;
-    int jumps = 0;
-    if (c->m->n_signals) signals_at(c, t, now);
-    for (int32_t b = 0; b < c->m->n_signals; b++)
-        if (has_another_value(now[b], c->k.signal1[b])) return HOLONOM_SIGNAL_JUMPS;
-    if (c->m->n_signals) signal_rates_at(c, t, now);
-    for (int32_t b = 0; b < c->m->n_signals; b++) jumps |= now[b] != c->k.signal_before[b];
+    signals_at(c, t, c->k.signal_rate);
+    if (have_jumped(c, c->k.signal_rate, c->k.signal1)) return HOLONOM_SIGNAL_JUMPS;
     c->stop = NAN;
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
-    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES)) return HOLONOM_LAW_SWITCHES;
-    return jumps ? jump_with_signals(c) : HOLONOM_OK;
+    return c->s.head[S_SWITCHED] < MOST_CHANGES ? jump_with_signals(c, t) : HOLONOM_LAW_SWITCHES;
 }
 
 /* Blames a switch, by its number and 1, for a failure at it. */
