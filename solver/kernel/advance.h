@@ -125,7 +125,7 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
         slope[i] = slope_at_start(c, i, step);
         if (m->input_course[i] == INPUT_SMOOTH) bend_input(c, i, step);
     }
-    return changed && m->n_signals ? jump_with_signals(c) : HOLONOM_OK;
+    return changed ? jump_with_signals(c, c->t) : HOLONOM_OK;
 }
 
 HM_SELDOM int32_t holonom_may_be_explicit(const holonom_model *m, double *number, double *state, double *work)

@@ -15,9 +15,15 @@ enum { MOST_CHANGES = 1000, MOST_TRIALS = 200 }; /* changes of sides in a commun
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
 #define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
 
-typedef int32_t (*step_function)(context *, double);
+/* A piece of a communication step: a step from time t, which ends at a switch at the latest. */
+typedef struct piece {
+    double t, length;
+    int32_t (*take)(context *, double); /* step of that length */
+    int32_t status;                     /* of the last one taken */
+    int stops, crossed; /* whether a switch of the time changes at its end, or one of the motion, which is just behind the level then */
+} piece;
 
-/* Before a step from the present state, which find_switch may make anew. */
+/* Before a step of a piece is taken from the present state, maybe several times with other lengths. */
 static void begin_watched(context *c, double h)
 {
     if (!c->m->n_motion_switches) return;
@@ -36,16 +42,21 @@ static int has_seen_switch(const context *c)
     return 0;
 }
 
-/* The same step with another length, from time t. */
-static int32_t step_anew(context *c, step_function take, double t, double h)
+static void return_to_start(context *c, const piece *x) { restore_state(c, c->k.switch_backup, x->t, x->t); }
+
+/* The step of a piece with another length. */
+static void step_anew(context *c, piece *x, double h)
 {
-    restore_state(c, c->k.switch_backup, t, t);
+    return_to_start(c, x);
     sense(c, 0.0, 0);
-    set_laws(c, t, 0);
+    set_laws(c, x->t, 0);
     begin_watched(c, h);
     c->unweighted = 0;
-    return take(c, h);
+    x->status = x->take(c, h);
 }
+
+/* Whether the last step of a piece has failed, and no switch in it tells why. */
+static int fails_otherwise(const context *c, const piece *x) { return x->status && !has_seen_switch(c); }
 
 /* Arguments of the switches of the motion at the present state (n_switches, overwritten); whether one is off its side. */
 static int look_at_switches(context *c, double *argument)
@@ -62,28 +73,35 @@ static int look_at_switches(context *c, double *argument)
     return off;
 }
 
-/* Where between two lengths the first switch is crossed, by lines through the arguments there; their middle where these do not tell. */
-static double crossing_between(const context *c, double low, double high, const double *at_low, const double *at_high)
-{
-    double first = high;
-    for (int32_t k = 0; k < c->m->n_switches; k++) {
-        const switch_place *x = switch_of(c, k);
-        const double side = c->s.side[k], level = x->kind == SWITCH_LEVEL ? side + (at_high[k] >= side) : 0.0;
-        if (!x->is_of_motion || !is_off_side(x->kind, at_high[k], side)) continue;
-        const double part = (level - at_low[k]) / (at_high[k] - at_low[k]);
-        first = fmin(first, part >= 0.0 && part <= 1.0 ? low + part * (high - low) : low + 0.5 * (high - low));
-    }
-    return first;
-}
-
-/* Whether the end of a step from time t, made with this status, is behind a switch; arguments there are overwritten. A step that
-   fails behind one has none. */
+/* Whether the end of a step made with this status is behind a switch; arguments there are overwritten. A step that fails behind one
+   has none. */
 static int is_behind(context *c, int32_t status, double *argument)
 {
     if (!status) return look_at_switches(c, argument);
     for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.watched[2 + k] != 0.0 ? NAN : c->s.side[k];
     return 1;
 }
+
+/* Halves a piece, just taken, until it ends behind a switch, or none in it shows: one may be crossed there and back. Arguments at its
+   end are overwritten; returns whether it ends behind one. */
+static int halve_to_switch(context *c, piece *x, double *argument)
+{
+    const double least = CLOSER * x->length;
+    for (;;) {
+        if (fails_otherwise(c, x)) return 0;
+        if (is_behind(c, x->status, argument)) return 1;
+        if (!has_seen_switch(c) || !(x->length > least)) return 0;
+        x->length *= 0.5;
+        x->stops = 0;
+        step_anew(c, x, x->length);
+    }
+}
+
+/* Two lengths of a piece, which end ahead of the first switch and behind it, and the arguments of switches there. */
+typedef struct bracket {
+    double low, high, *at_low, *at_high;
+    int32_t failed; /* why there is no step of length `high`, or 0 */
+} bracket;
 
 /* Whether a switch that stands on its level leaves it in a step. */
 static int leaves_level(const context *c, const double *argument)
@@ -93,62 +111,81 @@ static int leaves_level(const context *c, const double *argument)
     return 0;
 }
 
-/* Ends a step of length *h from time t, just made with this status, at the first crossing of a switch in it, if there is one:
-   *crossed = 1, and *h is its length then, 0 if that is where it begins. */
-HM_SELDOM static int32_t find_switch(context *c, step_function take, double t, double *h, int32_t status, int *crossed)
+/* Length at which the first switch is crossed, by lines through the arguments; the middle where these do not tell. */
+static double crossing_in(const context *c, const bracket *b)
+{
+    double first = b->high;
+    for (int32_t k = 0; k < c->m->n_switches; k++) {
+        const switch_place *x = switch_of(c, k);
+        const double side = c->s.side[k], low = b->at_low[k], high = b->at_high[k];
+        if (!x->is_of_motion || !is_off_side(x->kind, high, side)) continue;
+        const double part = ((x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0) - low) / (high - low);
+        first = fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
+    }
+    return first;
+}
+
+/* Next length to try: where lines lead, and by turns a little behind, since one end may not stand still; the middle where the step
+   behind fails, or three tries have not halved the bracket. */
+static double next_length(const context *c, const bracket *b, int trial, double last, double round)
+{
+    const double width = b->high - b->low, guess = crossing_in(c, b), behind = guess + fmax(0.1 * fmin(guess - b->low, b->high - guess), 0.5 * round);
+    if (b->failed || (width > 0.5 * last && trial % 3 == 2) || !(behind > b->low && behind < b->high)) return b->low + 0.5 * width;
+    return trial % 2 ? behind : fmax(guess, b->low + 0.5 * round);
+}
+
+/* Ends a piece, just taken, at the first crossing of a switch of the motion in it, if there is one: its length is 0 then if that is where
+   it begins. */
+HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
     const int32_t n = c->m->n_switches;
-    double *at_low = c->k.watched + 2 + n, *at_high = at_low + n, *at = at_high + n;
-    const double least = CLOSER * *h, round = 4e-16 * (fabs(t) + *h);
-    double low = 0.0, high = *h, made = *h, last = INFINITY;
-    *crossed = 0;
-    if (!n || !c->m->n_motion_switches) return status;
-    if (status && !has_seen_switch(c)) return status;
-    int32_t failed = status;
-    while (!is_behind(c, status, at_high)) { /* it may have been crossed there and back */
-        if (!has_seen_switch(c) || !(high > least)) {
-            *h = high;
-            return HOLONOM_OK;
-        }
-        made = high = 0.5 * high;
-        failed = status = step_anew(c, take, t, high);
-        if (status && !has_seen_switch(c)) return status;
-    }
-    restore_state(c, c->k.switch_backup, t, t);
+    const double round = 4e-16 * (fabs(x->t) + x->length);
+    double *at_low = c->k.watched + 2 + n, *at_high = at_low + n, *at = at_high + n, last = INFINITY;
+    x->crossed = 0;
+    if (!c->m->n_motion_switches || !halve_to_switch(c, x, at_high)) return x->status;
+    const double whole = x->length;
+    bracket b = {0.0, whole, at_low, at_high, x->status};
+    double made = whole;
+    return_to_start(c, x);
     look_at_switches(c, at_low);
-    const double whole = high;
-    if (leaves_level(c, at_high)) high = 0.0;
-    for (int trial = 0; trial < MOST_TRIALS && high - low > round; trial++) {
-        const double width = high - low, guess = crossing_between(c, low, high, at_low, at_high);
-        const int halves = failed || (width > 0.5 * last && trial % 3 == 2);
-        const double behind = guess + fmax(0.1 * fmin(guess - low, high - guess), 0.5 * round); /* an end may not stand still */
-        made = halves || !(behind > low && behind < high) ? low + 0.5 * width : trial % 2 ? behind : fmax(guess, low + 0.5 * round);
-        if (!(made > low && made < high)) break;
-        last = width;
-        status = step_anew(c, take, t, made);
-        if (status && !has_seen_switch(c) && !failed) return status;
-        const int is_late = is_behind(c, status, at);
+    if (leaves_level(c, at_high)) b.high = 0.0;
+    for (int trial = 0; trial < MOST_TRIALS && b.high - b.low > round; trial++) {
+        const double next = next_length(c, &b, trial, last, round);
+        if (!(next > b.low && next < b.high)) break;
+        last = b.high - b.low;
+        step_anew(c, x, made = next);
+        if (fails_otherwise(c, x) && !b.failed) return x->status;
+        const int is_late = is_behind(c, x->status, at);
         memcpy(is_late ? at_high : at_low, at, sizeof(double) * (size_t)n);
-        if (is_late) high = made, failed = status;
-        else low = made;
+        if (is_late) b.high = made, b.failed = x->status;
+        else b.low = made;
     }
-    int is_known = !failed;
+    int is_known = !b.failed;
     for (int32_t k = 0; k < n; k++) is_known |= at_high[k] != at_high[k];
-    if (!is_known) return failed; /* for another reason */
-    *h = failed ? low : high;
-    *crossed = 1;
-    if (!(*h > NO_PIECE * whole)) {
-        *h = 0.0;
-        restore_state(c, c->k.switch_backup, t, t);
-        return HOLONOM_OK;
-    }
-    return made == *h && !status ? HOLONOM_OK : step_anew(c, take, t, *h);
+    if (!is_known) return x->status = b.failed; /* for another reason */
+    x->length = b.failed ? b.low : b.high;
+    x->crossed = 1;
+    if (!(x->length > NO_PIECE * whole)) {
+        x->length = 0.0;
+        x->status = HOLONOM_OK;
+        return_to_start(c, x);
+    } else if (made != x->length || x->status)
+        step_anew(c, x, x->length);
+    return x->status;
+}
+
+/* Takes a piece from the present state. */
+static int32_t take_to_switch(context *c, piece *x)
+{
+    c->unweighted = 0;
+    begin_watched(c, x->length);
+    x->status = x->take(c, x->length);
+    return find_switch(c, x);
 }
 
 /* Signals and their rates (signal1, signal_before) at time t, on the sides that they leave. */
 static void keep_signals(const context *c, double t)
 {
-    if (!c->m->n_signals) return;
     signals_at(c, t, c->k.signal1);
     signal_rates_at(c, t, c->k.signal_before);
 }
@@ -156,18 +193,12 @@ static void keep_signals(const context *c, double t)
 /* Begins anew on other sides from time t on. Signals and their rates were those of keep_signals. */
 HM_SELDOM static int32_t begin_on_sides(context *c, double t)
 {
-    double *now = c->k.signal_rate;
-    int jumps = 0;
-    if (c->m->n_signals) signals_at(c, t, now);
-    for (int32_t b = 0; b < c->m->n_signals; b++)
-        if (has_another_value(now[b], c->k.signal1[b])) return HOLONOM_SIGNAL_JUMPS;
-    if (c->m->n_signals) signal_rates_at(c, t, now);
-    for (int32_t b = 0; b < c->m->n_signals; b++) jumps |= now[b] != c->k.signal_before[b];
+    signals_at(c, t, c->k.signal_rate);
+    if (have_jumped(c, c->k.signal_rate, c->k.signal1)) return HOLONOM_SIGNAL_JUMPS;
     c->stop = NAN;
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
-    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES)) return HOLONOM_LAW_SWITCHES;
-    return jumps ? jump_with_signals(c) : HOLONOM_OK;
+    return c->s.head[S_SWITCHED] < MOST_CHANGES ? jump_with_signals(c, t) : HOLONOM_LAW_SWITCHES;
 }
 
 /* Blames a switch, by its number and 1, for a failure at it. */
@@ -212,22 +243,25 @@ HM_SELDOM static int32_t pass_motion(context *c)
     return blame_switch(c, begin_on_sides(c, c->t), last);
 }
 
-/* Shortens a step from time t, in a communication step of length `step` that goes on for `rest`, to the next switch of the time;
-   passes it if it is now. *stops = 1 if it ends at one. */
-HM_SELDOM static int32_t stop_at_switch(context *c, double t, double rest, double step, double *h, int *stops)
+/* Changes the sides of the switch at the end of a piece, if it has come there. */
+static int32_t pass_switch(context *c, const piece *x)
 {
-    const double round = rounding_of_time(t, step);
+    return x->crossed ? pass_motion(c) : x->stops ? pass_time(c, c->stop) : HOLONOM_OK;
+}
+
+/* Shortens a piece, in a communication step of length `step` that goes on for `rest`, to the next switch of the time, which is passed
+   if it is now. */
+HM_SELDOM static int32_t stop_at_switch(context *c, piece *x, double rest, double step)
+{
+    const double t = x->t, round = rounding_of_time(t, step);
     double stop;
-    *stops = 0;
     if (!c->m->switching) return HOLONOM_OK;
     while ((stop = next_stop(c, t, c->start + step)) <= t + round) {
         const int32_t status = pass_time(c, stop);
         if (status) return status;
     }
-    if (stop < t + rest - round && stop <= t + *h + round) {
-        *h = stop - t;
-        *stops = 1;
-    }
+    x->stops = stop < t + rest - round && stop <= t + x->length + round;
+    if (x->stops) x->length = stop - t;
     return HOLONOM_OK;
 }
 

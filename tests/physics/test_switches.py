@@ -142,6 +142,16 @@ def test_laws_of_the_motion_are_located_to_round_off(law, method, step):
     assert found == pytest.approx((-0.985281374239, 0.171572875254), abs=1e-11)
 
 
+@pytest.mark.parametrize("method", [name for name in METHODS if name != "order 2"])
+def test_a_law_that_moves_with_the_time_is_located_where_it_switches(method):
+    """x = t^2/2 + t^3/6 up to t = 0.43, behind it a parabola; each try of a step begins on time."""
+    place, speed = 0.43**2 / 2 + 0.43**3 / 6, 0.43 + 0.43**2 / 2
+    law = "1 + t if A.x < 0.43**2/2 + 0.43**3/6 else -1"
+    found = moved(law, method, stop=1.0, step=0.25)
+    right = (place + speed * 0.57 - 0.57**2 / 2, speed - 0.57)
+    assert found == pytest.approx(right, abs=2e-15)
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_two_switches_in_a_step_are_both_met(method):
     """Work 0.005 J within 0.5 < x < 0.505: v^2 = 1.01 behind it."""
