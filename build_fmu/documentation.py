@@ -40,9 +40,8 @@ img {{ float: right; margin: 0 0 1em 1em; border: 1px solid #8886; max-width: 10
 <h1>{name}</h1>
 <img src="../{picture}" alt="the mechanism as drawn" width="480" height="360">
 <p>{description}</p>
-<p>An FMI {fmi}.0 co-simulation unit. It advances the mechanism with a conserving
-augmented-Lagrangian method; its outputs <code>energy.error</code> and
-<code>constraint.position</code> say how well energy and constraints are kept, and
+<p>An FMI {fmi}.0 co-simulation unit. Its steps conserve energy and constraints on positions up to
+round-off; its outputs <code>energy.error</code> and <code>constraint.position</code> show it, and
 <code>solver.status</code> is 0 as long as every communication
 step succeeded. Where it is not 0 the last step was not taken and the log has the reason.</p>
 <p>Default experiment: {experiment}.</p>

@@ -47,6 +47,7 @@ class Option:
     whole: bool = False  # whether a number counts something
     place: str = ""  # scalar of the state's head that holds it; empty: of the same name
     of_contacts: bool = False  # whether only scenes with contacts or friction have it
+    of_tolerance: bool = False  # whether only steps that a tolerance chooses follow it
 
     @property
     def is_switch(self) -> bool:
@@ -117,10 +118,11 @@ _TABLE = (
     Option("method", "conserving",
            "steps of a run with a tolerance: conserving half steps alone, or explicit ones as well "
            "wherever they are possible (fastest)",
-           words=("conserving", "fastest")),
+           words=("conserving", "fastest"), of_tolerance=True),
     Option("absolute_tolerance", 0.0, "allowed absolute error, added to the relative one",
-           low=0.0, high=1e6, unit="m"),
-    Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s"),
+           low=0.0, high=1e6, unit="m", of_tolerance=True),
+    Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s",
+           of_tolerance=True),
     Option("assemble", False,
            "close a mechanism that is drawn inexactly, and make its velocities consistent"),
     Option("start", "drawn", "begin as drawn, or at rest in the static equilibrium next to it",
