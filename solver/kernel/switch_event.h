@@ -11,7 +11,8 @@
 #include "stepped.h"
 #include "switches.h"
 
-enum { MOST_CHANGES = 1000, MOST_TRIALS = 200 }; /* changes of sides in a communication step; lengths of a step that ends at one */
+/* Changes of sides in a communication step, and in turn without a pause; lengths of a step that ends at a switch. */
+enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
 #define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
 
@@ -166,7 +167,9 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
     c->stop = NAN;
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
-    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES)) return HOLONOM_LAW_SWITCHES;
+    c->quick = t - c->switched > c->pause ? 0 : c->quick + 1;
+    c->switched = t;
+    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->quick < MOST_QUICK)) return HOLONOM_LAW_SWITCHES;
     return jumps ? jump_with_signals(c) : HOLONOM_OK;
 }
 

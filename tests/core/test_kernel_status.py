@@ -168,7 +168,7 @@ SENTENCES = {
     Status.IMPACT_UNSOLVED: "contact 'end': no impulses were found that obey the law of impact",
     Status.TOO_MANY_EVENTS: "contact 'floor': contacts change more often than solver.max_events",
     Status.SIGNAL_JUMPS: "driver 'motor': t < 0.03: what it drives would jump to another place",
-    Status.LAW_SWITCHES: "force 'brake': A.vx > 0: it switches more than 1000 times",
+    Status.LAW_SWITCHES: "force 'brake': A.vx > 0: it switches 1000 times at one moment",
 }
 """What is said of each."""
 
