@@ -261,6 +261,50 @@ def test_impacts_and_switches_are_both_located(method):
     assert float(ball["solver.events"]) <= 3.0
 
 
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "law",
+    [
+        "-0.3*(1 if A.vx > 0 else -1)",
+        "0.3 if 0 > A.vx else -0.3",
+        "-0.3 if A.vx > 0 else (0.3 if A.vx < 0 else 0)",
+        "0.3 - 0.6*(A.vx >= 0)",
+        "0 if A.vx == 0 else -0.3*sign(A.vx)",
+    ],
+)
+def test_friction_that_is_written_with_conditions_holds(law, method):
+    """It loses 1 m/s at 0.3 m/s^2, after 10/3 s at x = 5/3, and stays there."""
+    assert moved(law, method, stop=5.0, step=0.1, v=1.0) == pytest.approx((5 / 3, 0.0), abs=1e-12)
+
+
+@pytest.mark.parametrize("method", ["tolerance", "tolerance, order 4"])
+@pytest.mark.parametrize(
+    "law",
+    [
+        "-0.3*sign(A.vx) - 0.5*A.vx",
+        "-(0.3 + 0.5*A.vx) if A.vx > 0 else 0.3 - 0.5*A.vx",
+        "-(0.3 + 0.5*abs(A.vx))*sign(A.vx)",
+    ],
+)
+def test_friction_that_changes_with_its_rate_holds(law, method):
+    """v' = -0.3 - v/2 until v = 0; then x = 3.2 (1 - e^(-t/2)) - 0.6 t, with e^(t/2) = 16/6."""
+    t = 2 * math.log(16 / 6)
+    right = 3.2 * (1 - 6 / 16) - 0.6 * t, 0.0
+    assert moved(law, method, stop=5.0, step=0.1, v=1.0) == pytest.approx(right, abs=3e-9)
+
+
+@pytest.mark.parametrize("method", ["tolerance", "tolerance, order 4"])
+def test_friction_of_stribeck_slides_and_holds(method):
+    """x is the integral of v/(0.3 + 0.5/(1 + 10 v)) = (v + 10 v^2)/(0.8 + 3 v) from 0 to 1.
+
+    That is 10/3 v - 5/9 + (4/9)/(0.8 + 3 v).
+    """
+    right = 10 / 6 - 5 / 9 + 4 / 27 * math.log(3.8 / 0.8)
+    law = "-(0.3 + 0.5/(1 + 10*abs(A.vx)))*sign(A.vx)"
+    found = moved(law, method, stop=5.0, step=0.1, v=1.0)
+    assert found == pytest.approx((right, 0.0), abs=3e-9)
+
+
 def test_a_force_that_pushes_with_the_sign_of_its_rate_does_not_hold():
     found = moved("0.8*sign(A.vx) - 0.5", "order 2", stop=1.0, step=0.1, v=0.1)
     assert found == pytest.approx((0.1 + 0.15, 0.4), abs=1e-13)
