@@ -80,8 +80,10 @@ def _split(value: Operand | str, name: str) -> tuple[Number, Number] | None:
     if first is None or second is None:
         return None
     if value.op == "select" and (chosen := parts[1]) is not None:
-        sides = [(chosen if _at(first, side) else second) for side in (1.0, -1.0)]
-        ahead, behind = (_at(x, side) for x, side in zip(sides, (1.0, -1.0), strict=True))
+        ahead, behind = (
+            operate("select", *(_at(x, side) for x in (first, chosen, second)))
+            for side in (1.0, -1.0)
+        )
         mean, half = operate("add", ahead, behind), operate("sub", ahead, behind)
         return operate("mul", 0.5, mean), operate("mul", 0.5, half)
     if value.op in ("add", "sub"):
@@ -100,9 +102,10 @@ def _split(value: Operand | str, name: str) -> tuple[Number, Number] | None:
 
 def _sign(value: Expr, name: str) -> float:
     """1 where an operation reads the sign of a name, -1 where that of its opposite, else 0."""
-    if [str(x) for x in value.args] == [name] or (str(value.args[0]) == name and value.args[1] == 0.0):
-        return 1.0
-    return -1.0 if str(value.args[-1]) == name and value.args[0] == 0.0 else 0.0
+    first, second = value.args if len(value.args) == 2 else (*value.args, 0.0)
+    if second == 0.0:
+        return float(str(first) == name)
+    return -1.0 if first == 0.0 and str(second) == name else 0.0
 
 
 def _jumps(value: Operand | str, name: str) -> bool:

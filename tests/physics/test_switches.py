@@ -167,7 +167,7 @@ def test_a_switch_that_is_crossed_there_and_back_in_a_step_is_seen(place, method
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_level_that_is_touched_there_and_back_in_a_step_is_seen(method):
-    """floor is 1 above x = 0.12 alone, where it turns: there and back it is pulled by 2."""
+    """A step of 1 above x = 0.12 alone, where it turns: there and back it is pulled by 2."""
     v = math.sqrt(0.25 - 2 * 0.12)
     law = "-1 - floor(A.x/0.12) if A.x > 0 else -1"
     found = moved(law, method, stop=0.95, step=0.95, v=0.5)
@@ -197,7 +197,9 @@ def test_a_law_of_what_joints_hold_at_zero_does_not_switch(law, method):
     """
     value = f"1e-12*{law}(0.36*B.vx + 0.48*B.vy + 0.8*B.vz)"
     forced, free = (
-        start(solver.assemble(solver.loads(text + f'value = ["{x}", "0*B.vx", 0]')), **METHODS[method])
+        start(
+            solver.assemble(solver.loads(text + f'value = ["{x}", "0*B.vx", 0]')), **METHODS[method]
+        )
         for x in (value, "0")
     )
     for k in range(10):
@@ -287,7 +289,7 @@ def test_friction_that_is_written_with_conditions_holds(law, method):
     ],
 )
 def test_friction_that_changes_with_its_rate_holds(law, method):
-    """v' = -0.3 - v/2 until v = 0; then x = 3.2 (1 - e^(-t/2)) - 0.6 t, with e^(t/2) = 16/6."""
+    """It slides by v' = -0.3 - v/2 until e^(t/2) = 16/6; x = 3.2 (1 - e^(-t/2)) - 0.6 t."""
     t = 2 * math.log(16 / 6)
     right = 3.2 * (1 - 6 / 16) - 0.6 * t, 0.0
     assert moved(law, method, stop=5.0, step=0.1, v=1.0) == pytest.approx(right, abs=3e-9)
@@ -295,7 +297,7 @@ def test_friction_that_changes_with_its_rate_holds(law, method):
 
 @pytest.mark.parametrize("method", ["tolerance", "tolerance, order 4"])
 def test_friction_of_stribeck_slides_and_holds(method):
-    """x is the integral of v/(0.3 + 0.5/(1 + 10 v)) = (v + 10 v^2)/(0.8 + 3 v) from 0 to 1.
+    """It goes the integral of v/(0.3 + 0.5/(1 + 10 v)) = (v + 10 v^2)/(0.8 + 3 v) from 0 to 1.
 
     That is 10/3 v - 5/9 + (4/9)/(0.8 + 3 v).
     """
