@@ -76,6 +76,9 @@ typedef struct context {
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
     double stop;        /* next time at which a switch changes, infinite without one; NaN: not known            */
+    double pause;       /* time after which a switch that changes again does not go forth and back without end  */
+    double switched;    /* when switches last changed, and how often in turn without a pause                   */
+    int quick;
     holonom_watch *watch; /* who may end the start or the step, or NULL                                           */
     holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL                                    */
 } context;
@@ -223,6 +226,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->free_part = c->growth = 1.0;
     c->shorter = 0.5;
     c->stop = NAN;
+    c->pause = 0.0, c->switched = -INFINITY, c->quick = 0;
     if (m->switching) c->k.watched[0] = INFINITY, c->k.watched[1] = -INFINITY;
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;

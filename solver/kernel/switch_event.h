@@ -3,7 +3,8 @@
    Within a step all laws are as they are on the sides at its beginning. After it, and wherever it has evaluated the laws, one looks
    whether a switch of the motion is off its side. If so the step is made anew, of other lengths, until it ends just behind the first
    crossing: an accepted step is one like any other, of the method's order. A formula that has no value beyond its switch, as
-   sqrt(x) if x > 0, makes the step fail there: then it ends just before. */
+   sqrt(x) if x > 0, makes the step fail there: then it ends just before. If none is off its side, but a parabola through an argument
+   at both ends and inside comes near to its level, the step is made to where it turns, to look there. */
 #ifndef HOLONOM_SWITCH_EVENT_H
 #define HOLONOM_SWITCH_EVENT_H
 
@@ -11,8 +12,11 @@
 #include "stepped.h"
 #include "switches.h"
 
-enum { MOST_CHANGES = 1000, MOST_TRIALS = 200 }; /* changes of sides in a communication step; lengths of a step that ends at one */
+/* Changes of sides in a communication step, and in turn without a pause; lengths of a step that ends at a switch. */
+enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
+enum { MOST_LOOKS = 8 }; /* places at which an argument that comes near to its level is looked for to turn */
+#define NEAR 0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
 #define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
 
 /* A piece of a communication step: a step from time t, which ends at a switch at the latest. */
@@ -32,14 +36,65 @@ static void begin_watched(context *c, double h)
     keep_state(c, c->k.switch_backup);
     c->k.watched[0] = c->t + rounding_of_time(c->t, h);
     c->k.watched[1] = c->t + h + rounding_of_time(c->t, h);
-    memset(c->k.watched + 2, 0, sizeof(double) * (size_t)c->m->n_switches);
+    for (int32_t k = 0; k < c->m->n_switches; k++) {
+        arguments_kept(c, SEEN)[k] = 0.0;
+        arguments_kept(c, AT_BEGIN)[k] = c->number[switch_of(c, k)->argument];
+        arguments_kept(c, AT_LEAST)[2 * k + 1] = INFINITY;
+        arguments_kept(c, AT_LARGEST)[2 * k + 1] = -INFINITY;
+    }
 }
 
 static int has_seen_switch(const context *c)
 {
     for (int32_t k = 0; k < c->m->n_switches && c->m->n_motion_switches; k++)
-        if (c->k.watched[2 + k] != 0.0) return 1;
+        if (arguments_kept(c, SEEN)[k] != 0.0 && arguments_kept(c, BY_ROUNDING)[k] == 0.0) return 1;
     return 0;
+}
+
+#define ROUNDED 1e-12 /* part of size and speed of the mechanism, within which quantities are known */
+
+/* How far an argument may be off by rounding: how wide its range is where quantities are known within a part of size and speed. */
+HM_SELDOM static double rounding_of(const context *c, const switch_place *x)
+{
+    const holonom_model *m = c->m;
+    const double speed = fmax(fastest_rate(c, c->s.v), speed_scale(c) / c->number[m->extent_at + 1]);
+    hm_stop_ranges(m, c->number, x->segment, c->k.bounds);
+    for (int32_t j = 0; j < m->n_active; j++) {
+        const double off = ROUNDED * (m->quantity_kind[j] == QUANTITY_ANGLE ? 1.0 : c->number[m->extent_at]);
+        const double value = c->number[m->sensor_at + j], rate = c->number[m->sensor_rate_at + j];
+        hm_set_range(c->k.bounds, m->sensor_at + j, value - off, value + off, 0.0, 0.0);
+        hm_set_range(c->k.bounds, m->sensor_rate_at + j, rate - off * speed, rate + off * speed, 0.0, 0.0);
+    }
+    hm_run_ranges(m, c->number, x->segment, c->k.bounds);
+    const double *range = c->k.bounds + 4 * (int64_t)x->argument, wide = range[1] - range[0];
+    return wide < INFINITY ? wide : 0.0;
+}
+
+/* Whether an argument is off the side of switch k, and not by rounding alone. */
+static int is_off(const context *c, int32_t k, double g)
+{
+    const switch_place *x = switch_of(c, k);
+    return x->is_of_motion && is_off_side(x->kind, g, c->s.side[k]) && arguments_kept(c, BY_ROUNDING)[k] == 0.0;
+}
+
+/* Forgives switches that are off their sides by rounding in a step just made with this status: a quantity that rows hold at 0 has either
+   sign. A step that failed tells nothing of it. */
+HM_SELDOM static void forgive_rounding(context *c, int32_t status)
+{
+    memset(arguments_kept(c, BY_ROUNDING), 0, sizeof(double) * (size_t)c->m->n_switches);
+    if (status) return;
+    c->k.watched[1] = -INFINITY;
+    sense(c, 0.0, 0);
+    set_laws(c, c->t, 1);
+    for (int32_t k = 0; k < c->m->n_switches; k++) {
+        const switch_place *x = switch_of(c, k);
+        const double side = c->s.side[k], end = c->number[x->argument];
+        if (!x->is_of_motion || !(arguments_kept(c, SEEN)[k] != 0.0 || is_off(c, k, end))) continue;
+        double beyond = beyond_side(x->kind, end, side);
+        for (const double *inside = arguments_kept(c, AT_LEAST) + 2 * k; inside <= arguments_kept(c, AT_LARGEST) + 2 * k; inside += 2 * (int64_t)c->m->n_switches)
+            beyond = fmax(beyond, inside[1] != inside[1] ? INFINITY : beyond_side(x->kind, inside[1], side));
+        arguments_kept(c, BY_ROUNDING)[k] = end == end && beyond <= rounding_of(c, x);
+    }
 }
 
 static void return_to_start(context *c, const piece *x) { restore_state(c, c->k.switch_backup, x->t, x->t); }
@@ -68,7 +123,7 @@ static int look_at_switches(context *c, double *argument)
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);
         argument[k] = c->number[x->argument];
-        off |= x->is_of_motion && is_off_side(x->kind, argument[k], c->s.side[k]);
+        off |= is_off(c, k, argument[k]);
     }
     return off;
 }
@@ -78,22 +133,69 @@ static int look_at_switches(context *c, double *argument)
 static int is_behind(context *c, int32_t status, double *argument)
 {
     if (!status) return look_at_switches(c, argument);
-    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.watched[2 + k] != 0.0 ? NAN : c->s.side[k];
+    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = arguments_kept(c, SEEN)[k] != 0.0 && arguments_kept(c, BY_ROUNDING)[k] == 0.0 ? NAN : c->s.side[k];
     return 1;
 }
 
-/* Halves a piece, just taken, until it ends behind a switch, or none in it shows: one may be crossed there and back. Arguments at its
+/* Where the parabola through three places is lowest, and how low it is there; NaN if it is not between them. */
+static double lowest_between(const double *x, const double *y, double *least)
+{
+    const double before = (y[1] - y[0]) / (x[1] - x[0]), after = (y[2] - y[1]) / (x[2] - x[1]), bend = (after - before) / (x[2] - x[0]);
+    const double lowest = 0.5 * (x[0] + x[1] - before / bend);
+    *least = y[0] + (lowest - x[0]) * (before + (lowest - x[1]) * bend);
+    return bend > 0.0 && lowest > x[0] && lowest < x[2] ? lowest : NAN;
+}
+
+/* Looks in a piece, just taken, for a switch that leaves its side upwards (way = 1) or downwards (-1) and comes back, where a
+   parabola through its arguments at the ends and inside comes near to the level. Returns a length at which one is off its side or was
+   seen so, the step to which is made, or 0: then the whole piece is taken again. */
+HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
+{
+    const switch_place *x = switch_of(c, k);
+    const double h = step->length, side = c->s.side[k], *inside = arguments_kept(c, way < 0 ? AT_LEAST : AT_LARGEST) + 2 * k;
+    const double level = x->kind == SWITCH_LEVEL ? side + (way > 0) : side * way < 0.0 ? 0.0 : way * INFINITY;
+    double place[] = {0.0, inside[0] - step->t, h}, *at = arguments_kept(c, AT_LENGTH);
+    double left[] = {way * (level - arguments_kept(c, AT_BEGIN)[k]), way * (level - inside[1]), way * (level - arguments_kept(c, AT_HIGH_LENGTH)[k])};
+    int tried = 0;
+    while (x->is_of_motion && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
+        double least;
+        const double lowest = lowest_between(place, left, &least);
+        if (!(lowest > NO_PIECE * h && least < NEAR * (fmax(left[0], left[2]) - least))) break;
+        step_anew(c, step, lowest);
+        if (is_behind(c, step->status, at) || has_seen_switch(c)) return lowest;
+        const double there = way * (level - at[k]);
+        const int is_better = !tried++ || there < left[1], is_before = lowest < place[1], end = is_before == is_better ? 2 : 0;
+        if (tried > 1) place[end] = is_better ? place[1] : lowest, left[end] = is_better ? left[1] : there;
+        if (is_better) place[1] = lowest, left[1] = there;
+    }
+    if (tried) step_anew(c, step, h);
+    return 0.0;
+}
+
+/* The same for all switches. */
+HM_SELDOM static double find_turns(context *c, piece *x)
+{
+    double turn = 0.0;
+    for (int32_t k = 0; k < c->m->n_switches && turn == 0.0; k++)
+        for (int way = -1; way <= 1 && turn == 0.0 && !x->status; way += 2) turn = find_turn(c, x, k, way);
+    return turn;
+}
+
+/* Shortens a piece, just taken, until it ends behind a switch, or none in it shows: one may be crossed there and back. Arguments at its
    end are overwritten; returns whether it ends behind one. */
-static int halve_to_switch(context *c, piece *x, double *argument)
+static int shorten_to_switch(context *c, piece *x, double *argument)
 {
     const double least = CLOSER * x->length;
     for (;;) {
         if (fails_otherwise(c, x)) return 0;
         if (is_behind(c, x->status, argument)) return 1;
-        if (!has_seen_switch(c) || !(x->length > least)) return 0;
-        x->length *= 0.5;
+        if (!(x->length > least)) return 0;
+        const int is_seen = has_seen_switch(c);
+        const double shorter = is_seen ? 0.5 * x->length : find_turns(c, x);
+        if (shorter == 0.0) return 0;
+        x->length = shorter;
         x->stops = 0;
-        step_anew(c, x, x->length);
+        if (is_seen) step_anew(c, x, shorter);
     }
 }
 
@@ -107,7 +209,7 @@ typedef struct bracket {
 static int leaves_level(const context *c, const double *argument)
 {
     for (int32_t k = 0; k < c->m->n_switches; k++)
-        if (switch_of(c, k)->is_of_motion && switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0 && argument[k] != 0.0) return 1;
+        if (switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0 && is_off(c, k, argument[k])) return 1;
     return 0;
 }
 
@@ -118,7 +220,7 @@ static double crossing_in(const context *c, const bracket *b)
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);
         const double side = c->s.side[k], low = b->at_low[k], high = b->at_high[k];
-        if (!x->is_of_motion || !is_off_side(x->kind, high, side)) continue;
+        if (!is_off(c, k, high)) continue;
         const double part = ((x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0) - low) / (high - low);
         first = fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
     }
@@ -140,9 +242,11 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
     const int32_t n = c->m->n_switches;
     const double round = 4e-16 * (fabs(x->t) + x->length);
-    double *at_low = c->k.watched + 2 + n, *at_high = at_low + n, *at = at_high + n, last = INFINITY;
+    double *at_low = arguments_kept(c, AT_LOW_LENGTH), *at_high = arguments_kept(c, AT_HIGH_LENGTH), *at = arguments_kept(c, AT_LENGTH), last = INFINITY;
     x->crossed = 0;
-    if (!c->m->n_motion_switches || !halve_to_switch(c, x, at_high)) return x->status;
+    if (!c->m->n_motion_switches) return x->status;
+    forgive_rounding(c, x->status);
+    if (!shorten_to_switch(c, x, at_high)) return x->status;
     const double whole = x->length;
     bracket b = {0.0, whole, at_low, at_high, x->status};
     double made = whole;
@@ -198,7 +302,10 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
     c->stop = NAN;
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
-    return c->s.head[S_SWITCHED] < MOST_CHANGES ? jump_with_signals(c, t) : HOLONOM_LAW_SWITCHES;
+    c->quick = t - c->switched > c->pause ? 0 : c->quick + 1;
+    c->switched = t;
+    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->quick < MOST_QUICK)) return HOLONOM_LAW_SWITCHES;
+    return jump_with_signals(c, t);
 }
 
 /* Blames a switch, by its number and 1, for a failure at it. */
@@ -212,7 +319,7 @@ static int32_t blame_switch(context *c, int32_t status, int32_t k)
 HM_SELDOM static int32_t pass_time(context *c, double time)
 {
     keep_signals(c, time);
-    double *before = c->k.watched + 2 + c->m->n_switches;
+    double *before = arguments_kept(c, AT_LOW_LENGTH);
     memcpy(before, c->s.side, sizeof(double) * (size_t)c->m->n_switches);
     settle_sides(c, time, 1);
     int32_t first = c->m->n_switches - 1;
@@ -226,7 +333,7 @@ HM_SELDOM static int32_t pass_time(context *c, double time)
 HM_SELDOM static int32_t pass_motion(context *c)
 {
     const int32_t n = c->m->n_switches;
-    const double *at_high = c->k.watched + 2 + 2 * n;
+    const double *at_high = arguments_kept(c, AT_HIGH_LENGTH);
     int32_t last = 0;
     keep_signals(c, c->t);
     sense(c, 0.0, 0);
@@ -234,7 +341,7 @@ HM_SELDOM static int32_t pass_motion(context *c)
     for (int32_t k = 0; k < n; k++) {
         const switch_place *x = switch_of(c, k);
         const double g = at_high[k], side = c->s.side[k];
-        if (!x->is_of_motion || !is_off_side(x->kind, g, side)) continue;
+        if (!is_off(c, k, g)) continue;
         last = k;
         if (x->kind == SWITCH_LEVEL) c->s.side[k] = g == g ? floor(g) : c->number[x->argument] < side + 0.5 ? side - 1.0 : side + 1.0;
         else c->s.side[k] = g == g ? (double)((g > 0.0) - (g < 0.0)) : -side;
