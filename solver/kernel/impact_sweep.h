@@ -50,8 +50,16 @@ typedef struct hm_impact {
 #define SWEEP_STOPS 5e-12      /* likewise, slip that turns and counts as stopped                                 */
 #define SLOW_SLIP 1e-6         /* likewise, in a jam                                                              */
 #define BUDGET_SPENT 1e-14     /* of C                                                                            */
+#define CONE_LEFT 1e-8         /* of the cone, beyond which a contact that sticks beside slip that turns begins to slide;
+                                  more than FITS, so that it is not found to stick at once                        */
+#define BEGINS_SLOWLY 1e-3     /* growth of a slip, likewise: its direction then follows from its rate              */
+#define HAS_BEGUN 1e-6         /* likewise, slip whose direction counts                                           */
+#define LARGE_RATES 30.0       /* of impulses, over those that walls bring about alone                            */
 #define NO_WORK 1e-18          /* of p'.W p', over that of the rates of walls: rates of 0                         */
 enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
+
+/* Who pushes in a turning piece, and whether it slides, sticks or begins to slide: fixed as long as the piece lasts. */
+enum { IDLE, PUSHES_SLIDING, PUSHES_STUCK, PUSHES_BEGINNING };
 
 /* Numbers of a sweep: rows each, those of contacts as many. */
 typedef struct sweep {
@@ -64,10 +72,12 @@ typedef struct sweep {
     double *q, *turn;      /* p' and gamma' of the piece                                                           */
     double *lead;          /* rows: direction of slip that begins                                                  */
     double *speed, *retreat, *deep, *wall; /* per contact: v; rate of its wall in a jam; how far that is; its rate in the piece */
-    double *stage, *start; /* 12 stages of rows + contacts + 1; one more                                           */
+    double *stage, *start; /* 12 stages of rows + contacts + 2; one more                                           */
     double *kept;          /* rows                                                                                 */
     int32_t *live, *on, *stuck, *begins;
     double tau, way_sign;
+    int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
+    int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
 } sweep;
 
 static inline sweep sweep_map(hm_impact *x)
@@ -179,13 +189,13 @@ HM_SELDOM static void pack_rates(sweep *s, double slow)
     contact_problem *y = &s->rates;
     y->contacts = y->rows = 0;
     for (int32_t i = 0; i < x->contacts; i++) {
-        if (!is_active(s, i)) continue;
+        if (s->by_law ? s->on[i] == IDLE : !is_active(s, i)) continue;
         const int32_t c = y->contacts++, k = x->first[i], n = impact_slips(x, i);
         const double slip = n ? slip_now(s, i) : 0.0;
         s->active[c] = i;
         s->first[c] = y->rows, s->tangents[c] = n, s->coefficient[c] = x->coefficient[i];
         s->slides[c] = n && !s->stuck[i] && slip > slow * s->size[k + 1];
-        s->b[y->rows] = -wall_rate(s, i, 1);
+        s->b[y->rows] = s->by_law ? -s->wall[i] : -wall_rate(s, i, 1);
         for (int32_t a = 1; a <= n; a++) {
             s->b[y->rows + a] = 0.0;
             s->way[y->rows + a] = s->slides[c] ? s->gamma[k + a] / slip : 0.0;
@@ -350,7 +360,7 @@ HM_SELDOM static void move_walls(sweep *s, double h)
         const double way = h * s->wall[i];
         if (s->live[i]) s->deep[i] = 0.0;
         else s->deep[i] -= way;
-        if (s->deep[i] <= 1e-14 * fabs(way)) s->deep[i] = 0.0;
+        if (s->deep[i] <= none_of_row(s, s->x->first[i])) s->deep[i] = 0.0;
     }
 }
 
@@ -373,28 +383,29 @@ HM_SELDOM static void go_straight(sweep *s, double h)
 
 /* ---------------------------------------------------------------------------------------- turning pieces */
 
-/* Who pushes in a turning piece, and whether it slides: fixed as long as the piece lasts. */
-enum { IDLE, PUSHES_SLIDING, PUSHES_STUCK };
-
-HM_SELDOM static void fix_statuses(const sweep *s)
+HM_SELDOM static void fix_statuses(sweep *s)
 {
     const hm_impact *x = s->x;
     double largest = 0.0;
+    s->by_law = s->by_path = 0;
     for (int32_t i = 0; i < x->contacts; i++) largest = fmax(largest, s->q[x->first[i]] * sqrt(impact_weight(x, i)));
     for (int32_t i = 0; i < x->contacts; i++) {
         const int32_t k = x->first[i], n = impact_slips(x, i);
-        s->on[i] = s->q[k] * sqrt(impact_weight(x, i)) > 1e-13 * largest ? PUSHES_SLIDING : IDLE;
+        s->on[i] = s->q[k] * sqrt(impact_weight(x, i)) > 1e-10 * largest ? PUSHES_SLIDING : IDLE;
         if (s->on[i] == IDLE || !n || !s->stuck[i]) continue;
         const double force = hm_length(n, s->q + k + 1);
         double terms = 0.0;
         for (int32_t j = 0; j < x->rows; j++) terms += fabs(x->W[(int64_t)(k + 1) * x->rows + j] * s->q[j]);
-        if (force < x->coefficient[i] * s->q[k] * (1.0 - 1e-10) || hm_length(n, s->turn + k + 1) <= 1e-10 * terms) s->on[i] = PUSHES_STUCK;
+        const double growth = hm_length(n, s->turn + k + 1);
+        if (force < x->coefficient[i] * s->q[k] * (1.0 - 1e-10) || growth <= 1e-10 * terms) s->on[i] = PUSHES_STUCK;
+        else if (growth < BEGINS_SLOWLY * terms) s->on[i] = PUSHES_BEGINNING;
+        s->by_law |= s->on[i] == PUSHES_BEGINNING;
         for (int32_t a = 1; a <= n; a++) s->lead[k + a] = force > 0.0 ? -s->q[k + a] / force : 0.0;
     }
 }
 
 /* p' (q) at these rates with the statuses of the piece: linear, but for the directions in joints. */
-HM_SELDOM static void rates_in_piece(const sweep *s, const double *gamma, double *q)
+HM_SELDOM static void rates_by_statuses(const sweep *s, const double *gamma, double *q)
 {
     hm_impact *x = s->x;
     const contact_parts parts = contact_map(&s->rates);
@@ -440,12 +451,54 @@ HM_SELDOM static void rates_in_piece(const sweep *s, const double *gamma, double
     } while (joints && press_joints(x, q) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
 }
 
+/* Likewise, by the law: of those who push. */
+HM_SELDOM static void rates_by_law(sweep *s, double *gamma, double *q)
+{
+    double *const now = s->gamma;
+    s->gamma = gamma;
+    pack_rates(s, 0.0);
+    s->gamma = now;
+    for (int32_t k = 0; k < s->x->rows; k++) q[k] = 0.0;
+    if (hm_solve_contacts(&s->rates, s->way_sign > 0.0 ? LEAST_WORK : MOST_WORK)) {
+        q[0] = NAN; /* no step ends here */
+        return;
+    }
+    hm_share_impulses(&s->rates);
+    for (int32_t c = 0; c < s->rates.contacts; c++)
+        for (int32_t a = 0; a <= s->tangents[c]; a++) q[s->x->first[s->active[c]] + a] = s->p[s->first[c] + a];
+}
+
+/* Size of p', over that of the rates that walls bring about; with the sign of what pushes. */
+HM_SELDOM static double size_of_rates(const sweep *s, const double *q)
+{
+    double largest = 0.0, walls = 0.0;
+    for (int32_t i = 0; i < s->x->contacts; i++) {
+        const double root = sqrt(impact_weight(s->x, i)), rate = q[s->x->first[i]] * root;
+        if (s->on[i] == IDLE) continue;
+        if (!(fabs(rate) <= fabs(largest))) largest = rate;
+        walls = fmax(walls, fabs(s->wall[i]) / root);
+    }
+    return walls > 0.0 ? largest / walls : 0.0;
+}
+
+/* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less; below 0 where walls would have to
+   retreat.                                                                                                       */
+HM_SELDOM static double rates_in_piece(sweep *s, double *gamma, double *q)
+{
+    if (s->by_law) rates_by_law(s, gamma, q);
+    else rates_by_statuses(s, gamma, q);
+    if (!s->by_path) return 1.0;
+    const double pace = 1.0 / size_of_rates(s, q);
+    for (int32_t k = 0; k < s->x->rows; k++) q[k] *= pace;
+    return pace;
+}
+
 /* One Runge-Kutta step of length h from the present state: impulses, works along normals and of friction (in `end`, rows +
-   contacts + 1), rates there (in `gamma`). Returns its error over what is allowed.                                */
-HM_SELDOM static double try_turning(const sweep *s, double h, double *end, double *gamma)
+   contacts + 1) and the way of the clock behind them, rates there (in `gamma`). Returns its error over what is allowed. */
+HM_SELDOM static double try_turning(sweep *s, double h, double *end, double *gamma)
 {
     const hm_impact *x = s->x;
-    const int32_t n = x->rows + x->contacts + 1;
+    const int32_t n = x->rows + x->contacts + 2;
     const runge_kutta *method = &EIGHTH_ORDER;
     double *const sums = s->start;
     for (int stage = 0; stage < method->stages; stage++) {
@@ -456,13 +509,13 @@ HM_SELDOM static double try_turning(const sweep *s, double h, double *end, doubl
         }
         rates_of_impulses(x, sums, gamma);
         for (int32_t k = 0; k < x->rows; k++) gamma[k] = s->gamma[k] + h * gamma[k];
-        rates_in_piece(s, gamma, slope);
+        slope[n - 1] = rates_in_piece(s, gamma, slope);
         for (int32_t i = 0; i < x->contacts; i++) {
             const int32_t k = x->first[i];
             slope[x->rows + i] = slope[k] * gamma[k];
             for (int32_t t = k + 1; t <= k + x->tangents[i]; t++) friction += slope[t] * gamma[t];
         }
-        slope[n - 1] = friction;
+        slope[n - 2] = friction;
     }
     double five = 0.0, three = 0.0;
     for (int side = 1; side >= 0; side--) {
@@ -487,26 +540,43 @@ HM_SELDOM static double try_turning(const sweep *s, double h, double *end, doubl
     return both > 0.0 ? five * five / both : 0.0;
 }
 
-/* Least of what must stay above 0 in a turning piece, each over its size, after a step of length h that led to `end` and
-   `gamma`. */
-HM_SELDOM static double margin_in_piece(const sweep *s, double h, const double *end, const double *gamma)
+/* What must stay above 0 in a turning piece, each over its size: of the clock until the walls stand, and of each contact. */
+enum { UNTIL_WALLS_STAND = -1, MARGIN_PUSHES, MARGIN_CONE, MARGIN_BUDGET, MARGIN_GAP, MARGINS };
+
+/* The margin `which` (contact times MARGINS + kind) after a step that led to `end` and `gamma`, with p' there in q. */
+HM_SELDOM static double margin_in_piece(const sweep *s, int32_t which, const double *end, const double *gamma, const double *q)
 {
     const hm_impact *x = s->x;
-    double least = INFINITY, largest = 0.0, *q = s->start; /* room for rows */
-    rates_in_piece(s, gamma, q);
-    for (int32_t i = 0; i < x->contacts; i++) largest = fmax(largest, q[x->first[i]] * sqrt(impact_weight(x, i)));
-    for (int32_t i = 0; i < x->contacts; i++) {
-        const int32_t k = x->first[i], n = impact_slips(x, i);
-        if (s->on[i] != IDLE) {
-            least = fmin(least, largest > 0.0 ? q[k] * sqrt(impact_weight(x, i)) / largest - 1e-14 : -1.0);
-            if (s->on[i] == PUSHES_STUCK && n)
-                least = fmin(least, 1.0 + 1e-10 - hm_length(n, q + k + 1) / (x->coefficient[i] * q[k]));
-            if (s->live[i] && s->tau >= 0.0 && s->x->compression[i] > 0.0)
-                least = fmin(least, (budget(s, i) - end[x->rows + i]) / s->x->compression[i]);
-        } else if (impact_weight(x, i) > 0.0)
-            least = fmin(least, (gamma[k] - wall_now(s, i) - h * s->wall[i]) / s->size[k] + 2.0 * SWEEP_ROUND_OFF);
+    const double way = end[x->rows + x->contacts + 1], rest = end_of_walls(s);
+    if (which == UNTIL_WALLS_STAND) return rest < INFINITY ? rest - way : INFINITY;
+    const int32_t i = which / MARGINS, k = x->first[i], n = impact_slips(x, i);
+    const double size = size_of_rates(s, q);
+    switch (which % MARGINS) {
+    case MARGIN_PUSHES: return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) - 1e-14;
+    case MARGIN_CONE:
+        if (s->on[i] == PUSHES_BEGINNING) return 1.0 - hm_length(n, gamma + k + 1) / (HAS_BEGUN * s->size[k + 1]);
+        if (s->on[i] != PUSHES_STUCK || !n || s->by_law) return INFINITY;
+        return 1.0 + CONE_LEFT - hm_length(n, q + k + 1) / (x->coefficient[i] * q[k]);
+    case MARGIN_BUDGET:
+        if (s->on[i] == IDLE || !s->live[i] || s->tau < 0.0 || !(x->compression[i] > 0.0)) return INFINITY;
+        return (budget(s, i) - end[x->rows + i]) / x->compression[i];
+    default:
+        if (s->on[i] != IDLE || !(impact_weight(x, i) > 0.0)) return INFINITY;
+        return (gamma[k] - wall_now(s, i) - way * s->wall[i]) / s->size[k] + 2.0 * SWEEP_ROUND_OFF;
     }
-    return least;
+}
+
+/* The margin that is farthest below 0, or -2. */
+HM_SELDOM static int32_t margin_lost(sweep *s, const double *end, double *gamma)
+{
+    double least = -1e-15, *q = s->start; /* room for rows */
+    int32_t lost = -2;
+    rates_in_piece(s, gamma, q);
+    for (int32_t which = UNTIL_WALLS_STAND; which < MARGINS * s->x->contacts; which++) {
+        const double margin = margin_in_piece(s, which, end, gamma, q);
+        if (!(margin >= least)) least = margin, lost = which;
+    }
+    return lost;
 }
 
 /* Longest step that no slip which pushes is likely to stop in: nine tenths of the way, as it slows down now. */
@@ -544,61 +614,82 @@ static inline int slip_stops(const sweep *s)
     return 0;
 }
 
-enum { MOST_TURNING_STEPS = 2000, MOST_SEARCHES = 60 };
+enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60 };
+
+/* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it. */
+HM_SELDOM static double end_of_piece(sweep *s, int32_t lost, double h, double *end, double *gamma)
+{
+    const int32_t n = s->x->rows + s->x->contacts + 2;
+    double *q = s->start;
+    for (int32_t turn = 0; turn <= s->x->contacts && lost > -2; turn++, lost = margin_lost(s, end, gamma)) {
+        double low = 0.0, high = h;
+        rates_in_piece(s, gamma, q);
+        double at_high = margin_in_piece(s, lost, end, gamma, q);
+        memset(end, 0, sizeof(double) * (size_t)n);
+        rates_in_piece(s, s->gamma, q);
+        double at_low = fmax(margin_in_piece(s, lost, end, s->gamma, q), 1e-15);
+        for (int search = 0, side = 0; search < MOST_SEARCHES && high - low > 1e-15 * high; search++) {
+            h = low + (high - low) * fmin(fmax(at_low / (at_low - at_high), 1e-9), 1.0 - 1e-9);
+            try_turning(s, h, end, gamma);
+            rates_in_piece(s, gamma, q);
+            const double margin = margin_in_piece(s, lost, end, gamma, q);
+            if (fabs(margin) <= 1e-15) break;
+            if (margin > 0.0) {
+                low = h, at_low = margin;
+                if (side > 0) at_high *= 0.5;
+                side = 1;
+            } else {
+                high = h, at_high = margin;
+                if (side < 0) at_low *= 0.5;
+                side = -1;
+            }
+        }
+    }
+    return h;
+}
 
 /* Follows a turning piece until an event; 0, or 1 if it does not get on. */
 HM_SELDOM static int go_round(sweep *s)
 {
     hm_impact *x = s->x;
-    double *end = s->stage + 12 * (int64_t)(x->rows + x->contacts + 1), *gamma = end + x->rows + x->contacts + 1;
-    double h = fmin(1.0, end_of_walls(s)), done = 0.0;
+    const int32_t n = x->rows + x->contacts + 2;
+    double *end = s->stage + 12 * (int64_t)n, *gamma = end + n, h = 0.1, done = 0.0;
     fix_statuses(s);
     for (int step = 0; step < MOST_TURNING_STEPS; step++) {
-        const double rest = end_of_walls(s), limit = fmin(rest, before_stops(s));
-        int last = 0;
-        h = fmin(h, limit);
-        if (!(h > 1e-16)) return !(done > 0.0);
-        double error = try_turning(s, h, end, gamma);
+        s->by_path = 0;
+        rates_in_piece(s, s->gamma, s->q);
+        const double size = size_of_rates(s, s->q);
+        if (size > LARGE_RATES) {
+            s->by_path = 1;
+            rates_in_piece(s, s->gamma, s->q);
+        }
+        rates_of_impulses(x, s->q, s->turn);
+        if (done > 0.0 && (slip_stops(s) || !slip_turns(s))) break;
+        const double rest = end_of_walls(s), unit = s->by_path ? 1.0 / size : 1.0; /* h is by the clock */
+        h = fmin(fmin(h, rest), before_stops(s) * unit);
+        if (!(h > 1e-16 * unit)) break;
+        const double error = try_turning(s, h / unit, end, gamma);
         if (!(error <= 1.0) || slip_lost(s, gamma)) {
             h *= error > 1.0 && error < INFINITY ? fmax(0.2, 0.9 * pow(error, -0.125)) : 0.25;
             continue;
         }
-        double margin = margin_in_piece(s, h, end, gamma), low = 0.0, high = h;
-        const double longer = h * fmin(6.0, 0.9 * pow(fmax(error, 1e-10), -0.125));
-        if (margin < 0.0) { /* regula falsi: the piece ends where the margin vanishes */
-            memset(end, 0, sizeof(double) * (size_t)(x->rows + x->contacts + 1));
-            double at_low = fmax(margin_in_piece(s, 0.0, end, s->gamma), 1e-16), at_high = margin;
-            last = 1;
-            for (int search = 0; search < MOST_SEARCHES && high - low > 1e-15 * high; search++) {
-                const double part = at_low / (at_low - at_high);
-                h = low + (high - low) * fmin(fmax(part, 1e-3), 1.0 - 1e-3);
-                try_turning(s, h, end, gamma);
-                margin = margin_in_piece(s, h, end, gamma);
-                if (fabs(margin) <= 1e-15) break;
-                if (margin > 0.0) {
-                    if (low > 0.0) at_high *= 0.5;
-                    low = h, at_low = margin;
-                } else {
-                    if (high < h * (1.0 + 1e-15)) at_low *= 0.5;
-                    high = h, at_high = margin;
-                }
-            }
-        }
-        for (int32_t k = 0; k < x->rows; k++) s->q[k] = end[k] / h;
-        grow_sizes(s, h);
+        const int32_t lost = margin_lost(s, end, gamma);
+        if (lost > -2) end_of_piece(s, lost, h / unit, end, gamma);
+        const double way = end[n - 1], pace = rates_in_piece(s, gamma, s->start);
+        memcpy(s->q, end, sizeof(double) * (size_t)x->rows);
+        grow_sizes(s, 1.0);
         for (int32_t i = 0; i < x->contacts; i++) book_normal(s, i, end[x->rows + i]);
-        x->friction -= end[x->rows + x->contacts];
+        x->friction -= end[n - 2];
         for (int32_t k = 0; k < x->rows; k++) x->impulse[k] += end[k];
         memcpy(s->gamma, gamma, sizeof(double) * (size_t)x->rows);
-        const int at_rest = h == rest;
-        move_walls(s, h);
+        const int at_rest = fabs(rest - way) <= 1e-14;
+        move_walls(s, at_rest ? rest : way);
         done += h;
-        rates_in_piece(s, s->gamma, s->q);
-        rates_of_impulses(x, s->q, s->turn);
-        if (last || at_rest || slip_stops(s) || !slip_turns(s)) return 0;
-        h = longer;
+        if (lost > -2 || at_rest || !(pace > 0.0)) break;
+        h *= fmin(6.0, 0.9 * pow(fmax(error, 1e-10), -0.125));
     }
-    return 1;
+    s->by_law = 0;
+    return !(done > 0.0);
 }
 
 /* --------------------------------------------------------------------------------------------- the sweep */
@@ -644,6 +735,7 @@ HM_SELDOM static int begin_sweep(sweep *s)
             s->size[k] = fmax(fabs(x->before[k]), fastest * sqrt(fmax(x->W[(int64_t)k * (x->rows + 1)], 0.0)));
     }
     s->tau = -1.0;
+    s->by_law = s->by_path = 0;
     return approaches;
 }
 
