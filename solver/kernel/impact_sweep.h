@@ -785,7 +785,49 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
     return !is_finite;
 }
 
+/* Newton's law at once, 0 <= p_N _|_ gamma_N+ + part e gamma_N- >= 0 with friction against the slip at the end; returns its loss,
+   or NAN if no impulses were found.                                                                              */
+HM_SELDOM static double newton_impact(sweep *s, double part)
+{
+    hm_impact *x = s->x;
+    contact_problem all = {.contacts = x->contacts, .rows = x->rows, .first = x->first, .tangents = x->tangents, .coefficient = x->coefficient,
+                           .slides = s->slides, .way = s->way, .W = x->W, .b = s->gamma, .p = x->impulse, .rate = x->after, .scratch = x->scratch};
+    double loss = 0.0;
+    memcpy(s->gamma, x->before, sizeof(double) * (size_t)x->rows);
+    for (int32_t i = 0; i < x->contacts; i++) {
+        s->slides[i] = 0;
+        s->gamma[x->first[i]] += part * x->restitution[i] * fmin(x->before[x->first[i]], 0.0);
+    }
+    if (hm_solve_contacts(&all, LEAST_WORK)) return NAN;
+    rates_of_impulses(x, x->impulse, x->after);
+    for (int32_t k = 0; k < x->rows; k++) {
+        x->after[k] += x->before[k];
+        loss -= 0.5 * x->impulse[k] * (x->before[k] + x->after[k]);
+    }
+    return loss;
+}
+
+enum { NEWTON_PARTS = 16, NEWTON_HALVINGS = 50 };
+
+/* In place of a sweep that finds no path: Newton's law, with all e times the largest part of them at which no energy arises. */
+HM_SELDOM static int newton_instead(hm_impact *x)
+{
+    sweep s = sweep_map(x);
+    double low = 0.0, high = 1.0;
+    x->friction = x->plastic = 0.0;
+    x->jam = x->several = x->pieces = 0, x->newton = 1;
+    for (int32_t i = 0; i < x->contacts; i++) x->compression[i] = x->expansion[i] = 0.0;
+    if (newton_impact(&s, 1.0) >= 0.0) return 0;
+    for (int part = NEWTON_PARTS - 1; part > 0 && low == 0.0; part--)
+        if (newton_impact(&s, (double)part / NEWTON_PARTS) >= 0.0) low = (double)part / NEWTON_PARTS, high = low + 1.0 / NEWTON_PARTS;
+    for (int halving = 0; halving < NEWTON_HALVINGS && low > 0.0; halving++) {
+        if (newton_impact(&s, 0.5 * (low + high)) >= 0.0) low = 0.5 * (low + high);
+        else high = 0.5 * (low + high);
+    }
+    return !(newton_impact(&s, low) >= 0.0);
+}
+
 /* Solves one impact; returns 0, or 1 if no impulses were found: those left behind then mean nothing. */
-HM_SELDOM static int hm_solve_impact(hm_impact *x) { return sweep_impact(x); }
+HM_SELDOM static int hm_solve_impact(hm_impact *x) { return sweep_impact(x) && newton_instead(x); }
 
 #endif
