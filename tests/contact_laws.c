@@ -8,7 +8,7 @@ HOLONOM_API int solve_impact(hm_impact *x);
 
 int64_t contact_scratch(int32_t rows) { return CONTACT_SCRATCH(rows); }
 
-int64_t impact_scratch(int32_t rows) { return SWEEP_SCRATCH(rows); }
+int64_t impact_scratch(int32_t rows) { return IMPACT_SCRATCH(rows); }
 
 int solve_contacts(contact_problem *x, int wanted, int shares)
 {

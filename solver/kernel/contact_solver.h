@@ -391,6 +391,7 @@ HM_SELDOM static int hm_solve_contacts(contact_problem *x, int wanted)
     for (int32_t k = 0; k < x->rows && !found; k++) x->p[k] = 0.0;
     if (!found && wanted == LEAST_WORK)
         found = iterate_contacts(x, &s, size, MOST_SWEEPS_FIRST) || (!count && has_friction(x) && continue_in_friction(x, &s, size, s.columns));
+    if (!found && !count && !has_friction(x)) found = try_choices(x, &s, size, count_choices(x), wanted);
     for (int32_t i = 0; i < x->contacts; i++) s.mu[i] = x->coefficient[i];
     if (!found && !count) found = from_pushing(x, &s, size);
     if (!found) return 1;

@@ -42,7 +42,7 @@ typedef struct hm_impact {
     double friction, plastic;        /* overwritten: D; what the last way out of a jam takes [J]                  */
     int32_t jam, several, pieces;    /* overwritten: ways out taken; whether rates were not unique; parts of the path */
     int32_t newton;                  /* overwritten: whether Newton's restitution stood in, see hm_solve_impact   */
-    double *scratch;                 /* SWEEP_SCRATCH(rows) doubles                                              */
+    double *scratch;                 /* IMPACT_SCRATCH(rows) doubles                                              */
 } hm_impact;
 
 #define SWEEP_ROUND_OFF 1e-12  /* of the sum of a row's terms: what counts as none                                */
@@ -62,7 +62,7 @@ enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
 enum { IDLE, PUSHES_SLIDING, PUSHES_STUCK, PUSHES_BEGINNING };
 
 /* Numbers of a sweep: rows each, those of contacts as many. */
-typedef struct sweep {
+typedef struct impact_path {
     hm_impact *x;
     contact_problem rates; /* of the active contacts                                                               */
     double *matrix;        /* its W                                                                                */
@@ -78,14 +78,14 @@ typedef struct sweep {
     double tau, way_sign;
     int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
     int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
-} sweep;
+} impact_path;
 
-static inline sweep sweep_map(hm_impact *x)
+static inline impact_path sweep_map(hm_impact *x)
 {
     const int64_t n = x->rows;
     double *s = x->scratch + CONTACT_SCRATCH(n), *v = s + n * n;
     int32_t *i = (int32_t *)(void *)(v + 17 * n);
-    sweep y = {.x = x, .matrix = s, .b = v, .way = v + n, .p = v + 2 * n, .rate = v + 3 * n, .coefficient = v + 4 * n,
+    impact_path y = {.x = x, .matrix = s, .b = v, .way = v + n, .p = v + 2 * n, .rate = v + 3 * n, .coefficient = v + 4 * n,
                .gamma = v + 5 * n, .size = v + 6 * n, .q = v + 7 * n, .turn = v + 8 * n, .lead = v + 9 * n,
                .speed = v + 10 * n, .retreat = v + 11 * n, .deep = v + 12 * n, .wall = v + 13 * n, .kept = v + 14 * n,
                .first = i, .tangents = i + n, .slides = i + 2 * n, .active = i + 3 * n, .live = i + 4 * n, .on = i + 5 * n,
@@ -119,16 +119,16 @@ HM_SELDOM static void rates_of_impulses(const hm_impact *x, const double *p, dou
 }
 
 /* What counts as no rate in row k. */
-static inline double none_of_row(const sweep *s, int32_t k) { return SWEEP_ROUND_OFF * s->size[k]; }
+static inline double none_of_row(const impact_path *s, int32_t k) { return SWEEP_ROUND_OFF * s->size[k]; }
 
-static inline double none_of_slip(const sweep *s, int32_t i)
+static inline double none_of_slip(const impact_path *s, int32_t i)
 {
     double largest = 0.0;
     for (int32_t t = s->x->first[i] + 1; t <= s->x->first[i] + s->x->tangents[i]; t++) largest = fmax(largest, s->size[t]);
     return largest * (s->x->tangents[i] > 1 ? 2.0 * SWEEP_STOPS : SWEEP_ROUND_OFF);
 }
 
-static inline double slip_now(const sweep *s, int32_t i) { return hm_length(s->x->tangents[i], s->gamma + s->x->first[i] + 1); }
+static inline double slip_now(const impact_path *s, int32_t i) { return hm_length(s->x->tangents[i], s->gamma + s->x->first[i] + 1); }
 
 /* Equations p_N = d . P of the joints, with the directions d of the impulses P that p brings about. Returns the largest
    |p_N - |P|| over the largest |P|.                                                                              */
@@ -168,22 +168,22 @@ HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
 /* ------------------------------------------------------------------------------------ rates of the path */
 
 /* Rates at which the walls move: that of contact i, with advancing (1) or retreating (-1) walls. */
-static inline double wall_rate(const sweep *s, int32_t i, int is_active)
+static inline double wall_rate(const impact_path *s, int32_t i, int is_active)
 {
     if (s->way_sign > 0.0) return s->live[i] ? s->speed[i] : s->deep[i] > 0.0 ? s->retreat[i] : 0.0;
     return s->live[i] ? -s->speed[i] : is_active ? -s->retreat[i] : 0.0;
 }
 
-static inline double wall_now(const sweep *s, int32_t i) { return s->live[i] ? s->tau * s->speed[i] : -s->deep[i]; }
+static inline double wall_now(const impact_path *s, int32_t i) { return s->live[i] ? s->tau * s->speed[i] : -s->deep[i]; }
 
-static inline int is_active(const sweep *s, int32_t i)
+static inline int is_active(const impact_path *s, int32_t i)
 {
     const int32_t k = s->x->first[i];
     return impact_weight(s->x, i) > 0.0 && s->gamma[k] <= wall_now(s, i) + none_of_row(s, k);
 }
 
 /* Lays out the problem of the rates for the contacts that are active. Slip of `slow` of its terms counts as none. */
-HM_SELDOM static void pack_rates(sweep *s, double slow)
+HM_SELDOM static void pack_rates(impact_path *s, double slow)
 {
     const hm_impact *x = s->x;
     contact_problem *y = &s->rates;
@@ -212,7 +212,7 @@ HM_SELDOM static void pack_rates(sweep *s, double slow)
 }
 
 /* p' (q) of the contacts that are active; 0, or 1 if there is none, or no other than 0 with walls that retreat. */
-HM_SELDOM static int rates_of_path(sweep *s, double slow)
+HM_SELDOM static int rates_of_path(impact_path *s, double slow)
 {
     hm_impact *x = s->x;
     contact_problem *y = &s->rates;
@@ -237,7 +237,7 @@ HM_SELDOM static int rates_of_path(sweep *s, double slow)
 }
 
 /* Contacts that end where no path goes on: the union of the least sets of live ones without which there are rates. */
-HM_SELDOM static void end_unsolvable(sweep *s)
+HM_SELDOM static void end_unsolvable(impact_path *s)
 {
     int32_t count = 0, which[MOST_ENDINGS], out = 0;
     for (int32_t i = 0; i < s->x->contacts; i++)
@@ -256,7 +256,7 @@ HM_SELDOM static void end_unsolvable(sweep *s)
 }
 
 /* Finds the rates, with a remedy where walls cannot go on; 0, 1 if contacts have ended instead, or -1 if nothing helps. */
-HM_SELDOM static int find_rates(sweep *s)
+HM_SELDOM static int find_rates(impact_path *s)
 {
     int lives = 0;
     s->way_sign = 1.0;
@@ -281,20 +281,20 @@ HM_SELDOM static int find_rates(sweep *s)
 /* --------------------------------------------------------------------------------------- straight pieces */
 
 /* e^2 C - X of contact i */
-static inline double budget(const sweep *s, int32_t i)
+static inline double budget(const impact_path *s, int32_t i)
 {
     return hm_square(s->x->restitution[i]) * s->x->compression[i] - s->x->expansion[i];
 }
 
 /* Counts the sizes of the terms of rates over a part h of the piece. */
-HM_SELDOM static void grow_sizes(const sweep *s, double h)
+HM_SELDOM static void grow_sizes(const impact_path *s, double h)
 {
     for (int32_t k = 0; k < s->x->rows; k++)
         for (int32_t j = 0; j < s->x->rows; j++) s->size[k] += fabs(s->x->W[(int64_t)k * s->x->rows + j] * h * s->q[j]);
 }
 
 /* Whether a slip that is pushed turns. */
-HM_SELDOM static int slip_turns(const sweep *s)
+HM_SELDOM static int slip_turns(const impact_path *s)
 {
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const int32_t k = s->x->first[i], n = impact_slips(s->x, i);
@@ -310,7 +310,7 @@ HM_SELDOM static int slip_turns(const sweep *s)
 }
 
 /* Part of the piece after which the walls are at the ends of their ways: what no piece goes beyond. */
-static inline double end_of_walls(const sweep *s)
+static inline double end_of_walls(const impact_path *s)
 {
     double h = s->way_sign * s->tau < 0.0 ? fabs(s->tau) : INFINITY;
     for (int32_t i = 0; i < s->x->contacts; i++)
@@ -319,7 +319,7 @@ static inline double end_of_walls(const sweep *s)
 }
 
 /* Length of a straight piece: until a slip stops, a contact meets its wall, or one has expanded. */
-HM_SELDOM static double length_of_straight(const sweep *s)
+HM_SELDOM static double length_of_straight(const impact_path *s)
 {
     const hm_impact *x = s->x;
     double h = end_of_walls(s);
@@ -343,7 +343,7 @@ HM_SELDOM static double length_of_straight(const sweep *s)
 }
 
 /* Books the work of impulses over a part of the path: of contact i along its normal, and of all friction. */
-static inline void book_normal(const sweep *s, int32_t i, double work)
+static inline void book_normal(const impact_path *s, int32_t i, double work)
 {
     if (is_joint(s->x, i)) return;
     if (work < 0.0) s->x->compression[i] -= work;
@@ -351,7 +351,7 @@ static inline void book_normal(const sweep *s, int32_t i, double work)
 }
 
 /* Moves clock and walls on by a part h of the piece. */
-HM_SELDOM static void move_walls(sweep *s, double h)
+HM_SELDOM static void move_walls(impact_path *s, double h)
 {
     if (h == fabs(s->tau) && s->way_sign * s->tau < 0.0) s->tau = 0.0;
     else s->tau += s->way_sign * h;
@@ -364,7 +364,7 @@ HM_SELDOM static void move_walls(sweep *s, double h)
     }
 }
 
-HM_SELDOM static void go_straight(sweep *s, double h)
+HM_SELDOM static void go_straight(impact_path *s, double h)
 {
     const hm_impact *x = s->x;
     for (int32_t i = 0; i < x->contacts; i++) {
@@ -383,7 +383,7 @@ HM_SELDOM static void go_straight(sweep *s, double h)
 
 /* ---------------------------------------------------------------------------------------- turning pieces */
 
-HM_SELDOM static void fix_statuses(sweep *s)
+HM_SELDOM static void fix_statuses(impact_path *s)
 {
     const hm_impact *x = s->x;
     double largest = 0.0;
@@ -405,7 +405,7 @@ HM_SELDOM static void fix_statuses(sweep *s)
 }
 
 /* p' (q) at these rates with the statuses of the piece: linear, but for the directions in joints. */
-HM_SELDOM static void rates_by_statuses(const sweep *s, const double *gamma, double *q)
+HM_SELDOM static void rates_by_statuses(const impact_path *s, const double *gamma, double *q)
 {
     hm_impact *x = s->x;
     const contact_parts parts = contact_map(&s->rates);
@@ -452,7 +452,7 @@ HM_SELDOM static void rates_by_statuses(const sweep *s, const double *gamma, dou
 }
 
 /* Likewise, by the law: of those who push. */
-HM_SELDOM static void rates_by_law(sweep *s, double *gamma, double *q)
+HM_SELDOM static void rates_by_law(impact_path *s, double *gamma, double *q)
 {
     double *const now = s->gamma;
     s->gamma = gamma;
@@ -469,7 +469,7 @@ HM_SELDOM static void rates_by_law(sweep *s, double *gamma, double *q)
 }
 
 /* Size of p', over that of the rates that walls bring about; with the sign of what pushes. */
-HM_SELDOM static double size_of_rates(const sweep *s, const double *q)
+HM_SELDOM static double size_of_rates(const impact_path *s, const double *q)
 {
     double largest = 0.0, walls = 0.0;
     for (int32_t i = 0; i < s->x->contacts; i++) {
@@ -483,7 +483,7 @@ HM_SELDOM static double size_of_rates(const sweep *s, const double *q)
 
 /* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less; below 0 where walls would have to
    retreat.                                                                                                       */
-HM_SELDOM static double rates_in_piece(sweep *s, double *gamma, double *q)
+HM_SELDOM static double rates_in_piece(impact_path *s, double *gamma, double *q)
 {
     if (s->by_law) rates_by_law(s, gamma, q);
     else rates_by_statuses(s, gamma, q);
@@ -495,17 +495,17 @@ HM_SELDOM static double rates_in_piece(sweep *s, double *gamma, double *q)
 
 /* One Runge-Kutta step of length h from the present state: impulses, works along normals and of friction (in `end`, rows +
    contacts + 1) and the way of the clock behind them, rates there (in `gamma`). Returns its error over what is allowed. */
-HM_SELDOM static double try_turning(sweep *s, double h, double *end, double *gamma)
+HM_SELDOM static double try_turning(impact_path *s, double h, double *end, double *gamma)
 {
     const hm_impact *x = s->x;
     const int32_t n = x->rows + x->contacts + 2;
-    const runge_kutta *method = &EIGHTH_ORDER;
+    const runge_kutta *pair = &EIGHTH_ORDER;
     double *const sums = s->start;
-    for (int stage = 0; stage < method->stages; stage++) {
+    for (int stage = 0; stage < pair->stages; stage++) {
         double *slope = s->stage + (int64_t)n * stage, friction = 0.0;
         for (int32_t e = 0; e < x->rows; e++) {
             sums[e] = 0.0;
-            for (int before = 0; before < stage; before++) sums[e] += method->part[stage][before] * s->stage[(int64_t)n * before + e];
+            for (int before = 0; before < stage; before++) sums[e] += pair->part[stage][before] * s->stage[(int64_t)n * before + e];
         }
         rates_of_impulses(x, sums, gamma);
         for (int32_t k = 0; k < x->rows; k++) gamma[k] = s->gamma[k] + h * gamma[k];
@@ -521,7 +521,7 @@ HM_SELDOM static double try_turning(sweep *s, double h, double *end, double *gam
     for (int side = 1; side >= 0; side--) {
         for (int32_t e = 0; e < x->rows; e++) {
             sums[e] = 0.0;
-            for (int stage = 0; stage < method->stages; stage++) sums[e] += method->difference[side][stage] * s->stage[(int64_t)n * stage + e];
+            for (int stage = 0; stage < pair->stages; stage++) sums[e] += pair->difference[side][stage] * s->stage[(int64_t)n * stage + e];
         }
         rates_of_impulses(x, sums, gamma);
         for (int32_t k = 0; k < x->rows; k++) {
@@ -532,7 +532,7 @@ HM_SELDOM static double try_turning(sweep *s, double h, double *end, double *gam
     }
     for (int32_t e = 0; e < n; e++) {
         end[e] = 0.0;
-        for (int stage = 0; stage < method->stages; stage++) end[e] += h * method->weight[stage] * s->stage[(int64_t)n * stage + e];
+        for (int stage = 0; stage < pair->stages; stage++) end[e] += h * pair->weight[stage] * s->stage[(int64_t)n * stage + e];
     }
     rates_of_impulses(x, end, gamma);
     for (int32_t k = 0; k < x->rows; k++) gamma[k] += s->gamma[k];
@@ -544,7 +544,7 @@ HM_SELDOM static double try_turning(sweep *s, double h, double *end, double *gam
 enum { UNTIL_WALLS_STAND = -1, MARGIN_PUSHES, MARGIN_CONE, MARGIN_BUDGET, MARGIN_GAP, MARGINS };
 
 /* The margin `which` (contact times MARGINS + kind) after a step that led to `end` and `gamma`, with p' there in q. */
-HM_SELDOM static double margin_in_piece(const sweep *s, int32_t which, const double *end, const double *gamma, const double *q)
+HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, const double *end, const double *gamma, const double *q)
 {
     const hm_impact *x = s->x;
     const double way = end[x->rows + x->contacts + 1], rest = end_of_walls(s);
@@ -567,7 +567,7 @@ HM_SELDOM static double margin_in_piece(const sweep *s, int32_t which, const dou
 }
 
 /* The margin that is farthest below 0, or -2. */
-HM_SELDOM static int32_t margin_lost(sweep *s, const double *end, double *gamma)
+HM_SELDOM static int32_t margin_lost(impact_path *s, const double *end, double *gamma)
 {
     double least = -1e-15, *q = s->start; /* room for rows */
     int32_t lost = -2;
@@ -580,7 +580,7 @@ HM_SELDOM static int32_t margin_lost(sweep *s, const double *end, double *gamma)
 }
 
 /* Longest step that no slip which pushes is likely to stop in: nine tenths of the way, as it slows down now. */
-HM_SELDOM static double before_stops(const sweep *s)
+HM_SELDOM static double before_stops(const impact_path *s)
 {
     double h = INFINITY;
     for (int32_t i = 0; i < s->x->contacts; i++) {
@@ -595,7 +595,7 @@ HM_SELDOM static double before_stops(const sweep *s)
 }
 
 /* Whether a slip that pushes has stopped, or has turned by more than a step follows. */
-HM_SELDOM static int slip_lost(const sweep *s, const double *gamma)
+HM_SELDOM static int slip_lost(const impact_path *s, const double *gamma)
 {
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const int32_t k = s->x->first[i], n = impact_slips(s->x, i);
@@ -607,7 +607,7 @@ HM_SELDOM static int slip_lost(const sweep *s, const double *gamma)
     return 0;
 }
 
-static inline int slip_stops(const sweep *s)
+static inline int slip_stops(const impact_path *s)
 {
     for (int32_t i = 0; i < s->x->contacts; i++)
         if (impact_slips(s->x, i) && s->on[i] == PUSHES_SLIDING && !s->stuck[i] && slip_now(s, i) <= none_of_slip(s, i)) return 1;
@@ -617,7 +617,7 @@ static inline int slip_stops(const sweep *s)
 enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60 };
 
 /* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it. */
-HM_SELDOM static double end_of_piece(sweep *s, int32_t lost, double h, double *end, double *gamma)
+HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, double *end, double *gamma)
 {
     const int32_t n = s->x->rows + s->x->contacts + 2;
     double *q = s->start;
@@ -649,7 +649,7 @@ HM_SELDOM static double end_of_piece(sweep *s, int32_t lost, double h, double *e
 }
 
 /* Follows a turning piece until an event; 0, or 1 if it does not get on. */
-HM_SELDOM static int go_round(sweep *s)
+HM_SELDOM static int go_round(impact_path *s)
 {
     hm_impact *x = s->x;
     const int32_t n = x->rows + x->contacts + 2;
@@ -692,16 +692,21 @@ HM_SELDOM static int go_round(sweep *s)
     return !(done > 0.0);
 }
 
-/* --------------------------------------------------------------------------------------------- the sweep */
+/* --------------------------------------------------------------------------------------------- the impact_path */
 
 /* Where no path goes on: all contacts stop at once, without restitution; that never gives energy. */
-HM_SELDOM static int stop_at_once(sweep *s)
+HM_SELDOM static int stop_at_once(impact_path *s)
 {
     hm_impact *x = s->x;
     contact_problem all = {.contacts = x->contacts, .rows = x->rows, .first = x->first, .tangents = x->tangents, .coefficient = x->coefficient,
                            .slides = s->slides, .way = s->way, .W = x->W, .b = s->gamma, .p = s->p, .rate = s->rate, .scratch = x->scratch};
     for (int32_t i = 0; i < x->contacts; i++) s->slides[i] = 0;
-    if (hm_solve_contacts(&all, LEAST_WORK)) return 1;
+    int presses = 0;
+    memset(s->p, 0, sizeof(double) * (size_t)x->rows);
+    press_joints(x, s->p);
+    do {
+        if (hm_solve_contacts(&all, LEAST_WORK)) return 1;
+    } while (press_joints(x, s->p) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
     x->jam |= JAM_PLASTIC;
     for (int32_t k = 0; k < x->rows; k++) {
         x->impulse[k] += s->p[k];
@@ -711,7 +716,7 @@ HM_SELDOM static int stop_at_once(sweep *s)
 }
 
 /* Starts the sweep; returns whether a contact approaches. */
-HM_SELDOM static int begin_sweep(sweep *s)
+HM_SELDOM static int begin_sweep(impact_path *s)
 {
     hm_impact *x = s->x;
     double fastest = 0.0;
@@ -740,7 +745,7 @@ HM_SELDOM static int begin_sweep(sweep *s)
 }
 
 /* One piece of the path; 0, or 1 at its end, or -1 if it does not get on. */
-HM_SELDOM static int sweep_on(sweep *s)
+HM_SELDOM static int sweep_on(impact_path *s)
 {
     hm_impact *x = s->x;
     int goes_on = 0;
@@ -767,7 +772,7 @@ HM_SELDOM static int sweep_on(sweep *s)
 /* The sweep; 0, or 1 if no impulses were found. */
 HM_SELDOM static int sweep_impact(hm_impact *x)
 {
-    sweep s = sweep_map(x);
+    impact_path s = sweep_map(x);
     int end = !begin_sweep(&s);
     for (int32_t i = 0; i < x->contacts; i++)
         if (s.live[i] && !(impact_weight(x, i) > 0.0)) return 1; /* what moves it is held */
@@ -787,7 +792,7 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
 
 /* Newton's law at once, 0 <= p_N _|_ gamma_N+ + part e gamma_N- >= 0 with friction against the slip at the end; returns its loss,
    or NAN if no impulses were found.                                                                              */
-HM_SELDOM static double newton_impact(sweep *s, double part)
+HM_SELDOM static double newton_impact(impact_path *s, double part)
 {
     hm_impact *x = s->x;
     contact_problem all = {.contacts = x->contacts, .rows = x->rows, .first = x->first, .tangents = x->tangents, .coefficient = x->coefficient,
@@ -798,7 +803,12 @@ HM_SELDOM static double newton_impact(sweep *s, double part)
         s->slides[i] = 0;
         s->gamma[x->first[i]] += part * x->restitution[i] * fmin(x->before[x->first[i]], 0.0);
     }
-    if (hm_solve_contacts(&all, LEAST_WORK)) return NAN;
+    int presses = 0;
+    memset(x->impulse, 0, sizeof(double) * (size_t)x->rows);
+    press_joints(x, x->impulse);
+    do {
+        if (hm_solve_contacts(&all, LEAST_WORK)) return NAN;
+    } while (press_joints(x, x->impulse) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
     rates_of_impulses(x, x->impulse, x->after);
     for (int32_t k = 0; k < x->rows; k++) {
         x->after[k] += x->before[k];
@@ -812,7 +822,7 @@ enum { NEWTON_PARTS = 16, NEWTON_HALVINGS = 50 };
 /* In place of a sweep that finds no path: Newton's law, with all e times the largest part of them at which no energy arises. */
 HM_SELDOM static int newton_instead(hm_impact *x)
 {
-    sweep s = sweep_map(x);
+    impact_path s = sweep_map(x);
     double low = 0.0, high = 1.0;
     x->friction = x->plastic = 0.0;
     x->jam = x->several = x->pieces = 0, x->newton = 1;
