@@ -81,7 +81,8 @@ WORK = {
     "hit_reach": "n * n_hit_rows",  # velocities that unit impulses bring about, see impact.h
     "hit_matrix": "n_hit_rows * n_hit_rows",
     "hit_force": "n_hit_forces * n_hit_rows",  # impulses in joints that rub, of unit impulses
-    "hit": "9 * n_hit_rows",  # six vectors of numbers and five of integers, see map_hit
+    "hit_norms": "n_hit_forces",  # integers: whether each belongs to the norm of the one before
+    "hit": "10 * n_hit_rows",  # seven vectors of numbers and six of integers, see map_hit
     "hit_scratch": "IMPACT_SCRATCH(n_hit_rows)",
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }
