@@ -176,14 +176,31 @@ def removed(name: object) -> str:
 DEFAULTS = {name: option.default for name, option in OPTIONS.items()}
 
 
+CHOSEN = {
+    # Equal steps where contacts are stepped, or a step or order is given without a tolerance.
+    "tolerance": "(contact_mode == 0) * (tolerance + usual_tolerance * (step_size == 0) * "
+    "(order == 0) * (tolerance == 0))",
+    "step": "step_size + usual_step * (step_size == 0)",
+}
+"""What settings choose: tolerance, or 0 for equal steps, and the longest of these [s].
+
+Formulas of settings as a state has them, in Python and C.
+"""
+
+
+def _chosen(what: str, settings: Mapping[str, Any]) -> float:
+    known = {"usual_tolerance": USUAL_TOLERANCE, "usual_step": USUAL_STEP}
+    for name, option in OPTIONS.items():
+        value = settings.get(name, option.default)
+        known[name] = option.words.index(value) if option.words else value
+    return float(eval(CHOSEN[what], {}, known))
+
+
 def tolerance_of(settings: Mapping[str, Any]) -> float:
     """Tolerance that settings choose, or 0: equal steps of `step_of` them."""
-    if settings.get("contact_mode") == "stepped":
-        return 0.0
-    is_open = not (settings["step_size"] or settings["order"] or settings["tolerance"])
-    return USUAL_TOLERANCE if is_open else float(settings["tolerance"])
+    return _chosen("tolerance", settings)
 
 
 def step_of(settings: Mapping[str, Any]) -> float:
     """Length of equal steps that settings choose, at most the communication step [s]."""
-    return float(settings["step_size"]) or USUAL_STEP
+    return _chosen("step", settings)

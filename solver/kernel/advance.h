@@ -125,7 +125,7 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
         slope[i] = slope_at_start(c, i, step);
         if (m->input_course[i] == INPUT_SMOOTH) bend_input(c, i, step);
     }
-    return changed && m->n_signals ? jump_with_signals(c) : HOLONOM_OK;
+    return changed ? jump_with_signals(c, c->t) : HOLONOM_OK;
 }
 
 HM_SELDOM int32_t holonom_may_be_explicit(const holonom_model *m, double *number, double *state, double *work)
@@ -144,6 +144,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     open_context(&c, m, number, state, work);
     c.watch = watch;
     c.mesh = mesh;
+    c.pause = 1e-9 * step;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */
@@ -157,6 +158,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (m->n_inputs) settle_sides(&c, start, 1); /* slopes tell where inputs go */
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = head[S_SWITCHED] = 0.0;
+    head[S_JAMS] = head[S_NEWTON_IMPACTS] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));

@@ -59,7 +59,7 @@ const char *hm_about_step(int32_t status)
                "repeat a run with solver.contact_mode located that ends before";
 #endif
     case HOLONOM_LAW_SWITCHES:
-        return "it switches more than 1000 times in this communication step; if it goes forth and back without end, give it a hysteresis, or "
+        return "it switches 1000 times at one moment, or a million times in this communication step; give it a hysteresis, or "
                "a slope in the place of the jump, as min(max(20*x, -1), 1) has for sign(x); a force that rubs holds where it is written "
                "with the sign of the rate along which it acts";
     case HOLONOM_SIGNAL_JUMPS:
