@@ -51,7 +51,7 @@ static int has_seen_switch(const context *c)
     return 0;
 }
 
-#define ROUNDED 1e-12 /* part of size and speed of the mechanism, within which quantities are known */
+#define ARGUMENT_ROUNDED 1e-12 /* part of size and speed of the mechanism, within which quantities are known */
 
 /* How far an argument may be off by rounding: how wide its range is where quantities are known within a part of size and speed. */
 HM_SELDOM static double rounding_of(const context *c, const switch_place *x)
@@ -60,7 +60,7 @@ HM_SELDOM static double rounding_of(const context *c, const switch_place *x)
     const double speed = fmax(fastest_rate(c, c->s.v), speed_scale(c) / c->number[m->extent_at + 1]);
     hm_stop_ranges(m, c->number, x->segment, c->k.bounds);
     for (int32_t j = 0; j < m->n_active; j++) {
-        const double off = ROUNDED * (m->quantity_kind[j] == QUANTITY_ANGLE ? 1.0 : c->number[m->extent_at]);
+        const double off = ARGUMENT_ROUNDED * (m->quantity_kind[j] == QUANTITY_ANGLE ? 1.0 : c->number[m->extent_at]);
         const double value = c->number[m->sensor_at + j], rate = c->number[m->sensor_rate_at + j];
         hm_set_range(c->k.bounds, m->sensor_at + j, value - off, value + off, 0.0, 0.0);
         hm_set_range(c->k.bounds, m->sensor_rate_at + j, rate - off * speed, rate + off * speed, 0.0, 0.0);
@@ -153,7 +153,7 @@ HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
 {
     const switch_place *x = switch_of(c, k);
     const double h = step->length, side = c->s.side[k], *inside = arguments_kept(c, way < 0 ? AT_LEAST : AT_LARGEST) + 2 * k;
-    const double level = x->kind == SWITCH_LEVEL ? side + (way > 0) : side * way < 0.0 ? 0.0 : way * INFINITY;
+    const double level = x->kind == SWITCH_LEVEL ? side + (way > 0) : side * way < 0.0 ? 0.0 : (double)way * INFINITY;
     double place[] = {0.0, inside[0] - step->t, h}, *at = arguments_kept(c, AT_LENGTH);
     double left[] = {way * (level - arguments_kept(c, AT_BEGIN)[k]), way * (level - inside[1]), way * (level - arguments_kept(c, AT_HIGH_LENGTH)[k])};
     int tried = 0;
