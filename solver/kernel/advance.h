@@ -157,7 +157,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         undo_piece(&c, start, c.number[m->time_at]);
         status = step_over(&c, status, start, 0.0, step);
     } else if (!status && is_stepped(&c)) status = cover_stepped(&c, start, 0.0, step);
-    else if (!status) status = (hm_tolerance(head) > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
+    else if (!status) status = (c.tolerance > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && m->switching) status = end_at_switch(&c, start + step, step);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
@@ -175,7 +175,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         return status;
     }
     end_inputs(&c, step);
-    if (!(hm_tolerance(head) > 0.0)) head[S_EQUAL_TIME] += step;
+    if (!(c.tolerance > 0.0)) head[S_EQUAL_TIME] += step;
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
     head[S_AT_FAULT] = 0.0;

@@ -80,7 +80,7 @@ static int32_t look_for_events(context *c, double t, double law_time, double h)
 /* Takes the steps of a piece; with `looks` events are looked for in those that had none. */
 static int32_t take_piece(context *c, const mesh_piece *x, int looks)
 {
-    const int same = is_as_recorded(x), tight = hm_tolerance(c->s.head) > 0.0;
+    const int same = is_as_recorded(x), tight = c->tolerance > 0.0;
     for (const double *row = x->first; row <= x->last; row += MESH_SIZE) {
         const double law_time = c->number[c->m->time_at];
         const double t = same ? row[MESH_TIME] : x->begin + x->factor * (row[MESH_TIME] - x->first[MESH_TIME]);
@@ -166,7 +166,7 @@ static int32_t change_contacts(context *c, const double *row)
     c->event = row[MESH_END] == END_EVENT ? (int32_t)row[MESH_FUNCTION] : -1;
     int32_t status = change_modes(c);
     if (!status) status = settle(c);
-    if (!status && hm_tolerance(c->s.head) > 0.0) follow_energies(c);
+    if (!status && c->tolerance > 0.0) follow_energies(c);
     return status;
 }
 
@@ -180,7 +180,7 @@ HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
     double later = 0.0; /* by which the next piece begins later than in the recorded run */
     int32_t status = row < behind ? HOLONOM_OK : HOLONOM_MESH_METHODS;
     c->t = start;
-    if (c->m->n_signals && hm_tolerance(c->s.head) > 0.0) follow_jumps(c);
+    if (c->m->n_signals && c->tolerance > 0.0) follow_jumps(c);
     while (!status && row < behind) {
         mesh_piece x = {row, row, row[MESH_TIME] + later, 1.0, NAN};
         while (x.last[MESH_END] == END_LENGTH && x.last + MESH_SIZE < behind) x.last += MESH_SIZE;

@@ -26,7 +26,7 @@ HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
     const double mass = c->number[m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
-    return mass > 0.0 && hm_tolerance(c->s.head) > 0.0 && c->s.head[S_HELD] < MOST_HELD && !is_unilateral(m) &&
+    return mass > 0.0 && c->tolerance > 0.0 && c->s.head[S_HELD] < MOST_HELD && !is_unilateral(m) &&
            !(m->variable_potential && m->time_dependent) && are_smooth(c);
 }
 
