@@ -152,6 +152,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));
     }
+    if (!status && c.tolerance > 0.0) follow_jumps(&c);
     if (repeated_by(&c)) status = status ? status : cover_by_mesh(&c, start, step);
     else if (is_unilateral(m) && may_step_over(status)) {
         undo_piece(&c, start, c.number[m->time_at]);

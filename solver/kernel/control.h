@@ -226,8 +226,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0, covered;
     int32_t status, failed = HOLONOM_OK; /* why the last step could not be solved */
     int repeats = 0;
-    c->t = start;
-    if (c->m->n_signals) follow_jumps(c);
     begin_control(c);
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;
