@@ -20,8 +20,9 @@ WORK = {
     "signal_bend": "n_signals",  # second derivatives
     "jet": "2 * n_numbers",  # rates and second derivatives of the numbers, see jets.c
     "bounds": "4 * n_numbers * switching",  # of the numbers and their rates, see ranges.c
-    "watched": "2 * switching + 4 * n_switches",  # from when to when, and switches crossed
-    # meanwhile; and their arguments at the ends of steps, see switch_event.h
+    "watched": "2 * switching", "seen": "n_switches",  # from when to when; switches crossed then
+    "argument_low": "n_switches", "argument_high": "n_switches",  # at ends of steps, see
+    "argument_tried": "n_switches",  # switch_event.h
     "switch_backup": "n_state * switching",  # before a step that a switch may cut
     "phi0": "n_rows", "phi": "n_rows",  # at the beginning, and the function that shall vanish
     "lambda": "n_rows", "mu": "n_rows",  # multiplier held fixed, total multiplier

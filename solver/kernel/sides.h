@@ -21,11 +21,10 @@ static int is_off_side(int kind, double g, double side)
 /* Remembers that a switch was off its side within the step at hand, where laws are evaluated at time t. */
 HM_SELDOM static void watch_switches(const context *c, double t)
 {
-    double *seen = c->k.watched + 2;
     if (!(t > c->k.watched[0] && t < c->k.watched[1])) return;
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);
-        if (x->is_of_motion && is_off_side(x->kind, c->number[x->argument], c->s.side[k])) seen[k] = 1.0;
+        if (x->is_of_motion && is_off_side(x->kind, c->number[x->argument], c->s.side[k])) c->k.seen[k] = 1.0;
     }
 }
 

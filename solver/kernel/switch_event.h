@@ -32,13 +32,13 @@ static void begin_watched(context *c, double h)
     keep_state(c, c->k.switch_backup);
     c->k.watched[0] = c->t + rounding_of_time(c->t, h);
     c->k.watched[1] = c->t + h + rounding_of_time(c->t, h);
-    memset(c->k.watched + 2, 0, sizeof(double) * (size_t)c->m->n_switches);
+    memset(c->k.seen, 0, sizeof(double) * (size_t)c->m->n_switches);
 }
 
 static int has_seen_switch(const context *c)
 {
     for (int32_t k = 0; k < c->m->n_switches && c->m->n_motion_switches; k++)
-        if (c->k.watched[2 + k] != 0.0) return 1;
+        if (c->k.seen[k] != 0.0) return 1;
     return 0;
 }
 
@@ -78,7 +78,7 @@ static int look_at_switches(context *c, double *argument)
 static int is_behind(context *c, int32_t status, double *argument)
 {
     if (!status) return look_at_switches(c, argument);
-    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.watched[2 + k] != 0.0 ? NAN : c->s.side[k];
+    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.seen[k] != 0.0 ? NAN : c->s.side[k];
     return 1;
 }
 
@@ -140,7 +140,7 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
     const int32_t n = c->m->n_switches;
     const double round = 4e-16 * (fabs(x->t) + x->length);
-    double *at_low = c->k.watched + 2 + n, *at_high = at_low + n, *at = at_high + n, last = INFINITY;
+    double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried, last = INFINITY;
     x->crossed = 0;
     if (!c->m->n_motion_switches || !halve_to_switch(c, x, at_high)) return x->status;
     const double whole = x->length;
@@ -212,7 +212,7 @@ static int32_t blame_switch(context *c, int32_t status, int32_t k)
 HM_SELDOM static int32_t pass_time(context *c, double time)
 {
     keep_signals(c, time);
-    double *before = c->k.watched + 2 + c->m->n_switches;
+    double *before = c->k.argument_tried;
     memcpy(before, c->s.side, sizeof(double) * (size_t)c->m->n_switches);
     settle_sides(c, time, 1);
     int32_t first = c->m->n_switches - 1;
@@ -226,7 +226,7 @@ HM_SELDOM static int32_t pass_time(context *c, double time)
 HM_SELDOM static int32_t pass_motion(context *c)
 {
     const int32_t n = c->m->n_switches;
-    const double *at_high = c->k.watched + 2 + 2 * n;
+    const double *at_high = c->k.argument_high;
     int32_t last = 0;
     keep_signals(c, c->t);
     sense(c, 0.0, 0);
