@@ -178,8 +178,8 @@ DEFAULTS = {name: option.default for name, option in OPTIONS.items()}
 
 CHOSEN = {
     # Equal steps where contacts are stepped, or a step or order is given without a tolerance.
-    "tolerance": "(contact_mode == 0) * (tolerance + usual_tolerance * (step_size == 0) * "
-    "(order == 0) * (tolerance == 0))",
+    "tolerance": "(contact_mode == 0) * "
+    "(tolerance + usual_tolerance * (step_size + order + tolerance == 0))",
     "step": "step_size + usual_step * (step_size == 0)",
 }
 """What settings choose: tolerance, or 0 for equal steps, and the longest of these [s].

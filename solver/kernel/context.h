@@ -23,6 +23,7 @@ typedef struct context {
     hm_state s;
     hm_work k;
     int64_t state_size;
+    double tolerance;   /* of the run, or 0 for equal steps */
     double h, t;
     double start;       /* of the communication step, for inputs that move                                    */
     int32_t n_moving;
@@ -218,6 +219,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->t = c->start = c->s.head[S_TIME];
     c->watch = NULL;
     c->mesh = NULL;
+    c->tolerance = hm_tolerance(c->s.head);
     c->h = 0.0;
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;

@@ -117,7 +117,7 @@ static void begin_control(context *c)
     /* Pairs may be of any length: springs are looked at again where other steps come up. */
     const int are_pairs = head[S_ORDER_IN_USE] == 2.0 && head[S_EXPLICIT] == 0.0;
     if (may_be_explicit && !ends_explicitly(c) && !are_pairs) find_longest(c);
-    const double eighth = is_new && rate > 0.0 ? 0.5 * hm_pow(hm_tolerance(head), 1.0 / 9.0) / rate : 0.0;
+    const double eighth = is_new && rate > 0.0 ? 0.5 * hm_pow(c->tolerance, 1.0 / 9.0) / rate : 0.0;
     const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
     if (!takes_explicit(c) || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
     else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
@@ -127,7 +127,7 @@ static void begin_control(context *c)
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
-    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(hm_tolerance(head), 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(c->tolerance, 1.0 / (head[S_ORDER_IN_USE] + 1.0));
     head[S_WANTED] = rate > 0.0 ? turned / rate : INFINITY;
 }
 
@@ -226,8 +226,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0, covered;
     int32_t status, failed = HOLONOM_OK; /* why the last step could not be solved */
     int repeats = 0;
-    c->t = start;
-    if (c->m->n_signals) follow_jumps(c);
     begin_control(c);
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;

@@ -79,7 +79,7 @@ static double rate_of_motion(const context *c)
 /* Error of a run that is asked for, relative to size and speed. */
 static inline double tolerated(const context *c)
 {
-    return hm_tolerance(c->s.head) + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
+    return c->tolerance + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
 }
 
 #endif

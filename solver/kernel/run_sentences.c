@@ -50,8 +50,8 @@ const char *hm_about_step(int32_t status)
                "as t**2 is and t**1.5 is not, or start at another time";
 #if !defined(HOLONOM_STATIC)
     case HOLONOM_MESH_EVENTS:
-        return "contacts, frictions or laws change in another order than in the run whose mesh is repeated; change its numbers by less, or "
-               "record a mesh with these";
+        return "contacts or frictions change in another order than in the run whose mesh is repeated; change its numbers by less, or record "
+               "a mesh with these";
     case HOLONOM_MESH_METHODS:
         return "a step cannot be taken as in the run whose mesh is repeated; change its numbers by less, or record a mesh with these";
     case HOLONOM_MESH_STEPPED:

@@ -31,7 +31,7 @@ HM_SELDOM static int allows_explicit(const context *c)
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const double mass = c->number[c->m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
-    return mass > 0.0 && hm_tolerance(c->s.head) > 0.0 && c->s.head[S_HELD] < MOST_HELD && allows_explicit(c);
+    return mass > 0.0 && c->tolerance > 0.0 && c->s.head[S_HELD] < MOST_HELD && allows_explicit(c);
 }
 
 /* Whether the state is the end of an explicit step. */

@@ -25,17 +25,10 @@ static double beyond_side(int kind, double g, double side)
     return side == 0.0 ? fabs(g) : -side * g;
 }
 
-/* Where the arguments of the switches of a step are kept in k.watched, behind its window of time: switches seen off their sides;
-   arguments at the ends of lengths tried; at the start; the least and the largest one inside, each behind its time; whether a switch
-   is off its side by rounding alone, and no event. */
-enum { SEEN, AT_LOW_LENGTH, AT_HIGH_LENGTH, AT_LENGTH, AT_BEGIN, AT_LEAST, AT_LARGEST = AT_LEAST + 2, BY_ROUNDING = AT_LARGEST + 2 };
-
-static inline double *arguments_kept(const context *c, int which) { return c->k.watched + 2 + which * (int64_t)c->m->n_switches; }
-
 /* Remembers arguments of switches where laws are evaluated at time t within the step at hand, and that one was off its side. */
 HM_SELDOM static void watch_switches(const context *c, double t)
 {
-    double *seen = arguments_kept(c, SEEN), *least = arguments_kept(c, AT_LEAST), *largest = arguments_kept(c, AT_LARGEST);
+    double *seen = c->k.seen, *least = c->k.argument_least, *largest = c->k.argument_largest;
     if (!(t > c->k.watched[0] && t < c->k.watched[1])) return;
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);

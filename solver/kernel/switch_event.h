@@ -37,17 +37,17 @@ static void begin_watched(context *c, double h)
     c->k.watched[0] = c->t + rounding_of_time(c->t, h);
     c->k.watched[1] = c->t + h + rounding_of_time(c->t, h);
     for (int32_t k = 0; k < c->m->n_switches; k++) {
-        arguments_kept(c, SEEN)[k] = 0.0;
-        arguments_kept(c, AT_BEGIN)[k] = c->number[switch_of(c, k)->argument];
-        arguments_kept(c, AT_LEAST)[2 * k + 1] = INFINITY;
-        arguments_kept(c, AT_LARGEST)[2 * k + 1] = -INFINITY;
+        c->k.seen[k] = 0.0;
+        c->k.argument_begin[k] = c->number[switch_of(c, k)->argument];
+        c->k.argument_least[2 * k + 1] = INFINITY;
+        c->k.argument_largest[2 * k + 1] = -INFINITY;
     }
 }
 
 static int has_seen_switch(const context *c)
 {
     for (int32_t k = 0; k < c->m->n_switches && c->m->n_motion_switches; k++)
-        if (arguments_kept(c, SEEN)[k] != 0.0 && arguments_kept(c, BY_ROUNDING)[k] == 0.0) return 1;
+        if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0) return 1;
     return 0;
 }
 
@@ -74,14 +74,14 @@ HM_SELDOM static double rounding_of(const context *c, const switch_place *x)
 static int is_off(const context *c, int32_t k, double g)
 {
     const switch_place *x = switch_of(c, k);
-    return x->is_of_motion && is_off_side(x->kind, g, c->s.side[k]) && arguments_kept(c, BY_ROUNDING)[k] == 0.0;
+    return x->is_of_motion && is_off_side(x->kind, g, c->s.side[k]) && c->k.by_rounding[k] == 0.0;
 }
 
 /* Forgives switches that are off their sides by rounding in a step just made with this status: a quantity that rows hold at 0 has either
    sign. A step that failed tells nothing of it. */
 HM_SELDOM static void forgive_rounding(context *c, int32_t status)
 {
-    memset(arguments_kept(c, BY_ROUNDING), 0, sizeof(double) * (size_t)c->m->n_switches);
+    memset(c->k.by_rounding, 0, sizeof(double) * (size_t)c->m->n_switches);
     if (status) return;
     c->k.watched[1] = -INFINITY;
     sense(c, 0.0, 0);
@@ -89,11 +89,11 @@ HM_SELDOM static void forgive_rounding(context *c, int32_t status)
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);
         const double side = c->s.side[k], end = c->number[x->argument];
-        if (!x->is_of_motion || !(arguments_kept(c, SEEN)[k] != 0.0 || is_off(c, k, end))) continue;
+        if (!x->is_of_motion || !(c->k.seen[k] != 0.0 || is_off(c, k, end))) continue;
         double beyond = beyond_side(x->kind, end, side);
-        for (const double *inside = arguments_kept(c, AT_LEAST) + 2 * k; inside <= arguments_kept(c, AT_LARGEST) + 2 * k; inside += 2 * (int64_t)c->m->n_switches)
+        for (const double *inside = c->k.argument_least + 2 * k; inside <= c->k.argument_largest + 2 * k; inside += 2 * (int64_t)c->m->n_switches)
             beyond = fmax(beyond, inside[1] != inside[1] ? INFINITY : beyond_side(x->kind, inside[1], side));
-        arguments_kept(c, BY_ROUNDING)[k] = end == end && beyond <= rounding_of(c, x);
+        c->k.by_rounding[k] = end == end && beyond <= rounding_of(c, x);
     }
 }
 
@@ -133,7 +133,7 @@ static int look_at_switches(context *c, double *argument)
 static int is_behind(context *c, int32_t status, double *argument)
 {
     if (!status) return look_at_switches(c, argument);
-    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = arguments_kept(c, SEEN)[k] != 0.0 && arguments_kept(c, BY_ROUNDING)[k] == 0.0 ? NAN : c->s.side[k];
+    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0 ? NAN : c->s.side[k];
     return 1;
 }
 
@@ -152,10 +152,10 @@ static double lowest_between(const double *x, const double *y, double *least)
 HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
 {
     const switch_place *x = switch_of(c, k);
-    const double h = step->length, side = c->s.side[k], *inside = arguments_kept(c, way < 0 ? AT_LEAST : AT_LARGEST) + 2 * k;
+    const double h = step->length, side = c->s.side[k], *inside = (way < 0 ? c->k.argument_least : c->k.argument_largest) + 2 * k;
     const double level = x->kind == SWITCH_LEVEL ? side + (way > 0) : side * way < 0.0 ? 0.0 : (double)way * INFINITY;
-    double place[] = {0.0, inside[0] - step->t, h}, *at = arguments_kept(c, AT_LENGTH);
-    double left[] = {way * (level - arguments_kept(c, AT_BEGIN)[k]), way * (level - inside[1]), way * (level - arguments_kept(c, AT_HIGH_LENGTH)[k])};
+    double place[] = {0.0, inside[0] - step->t, h}, *at = c->k.argument_tried;
+    double left[] = {way * (level - c->k.argument_begin[k]), way * (level - inside[1]), way * (level - c->k.argument_high[k])};
     int tried = 0;
     while (x->is_of_motion && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
         double least;
@@ -242,7 +242,7 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
     const int32_t n = c->m->n_switches;
     const double round = 4e-16 * (fabs(x->t) + x->length);
-    double *at_low = arguments_kept(c, AT_LOW_LENGTH), *at_high = arguments_kept(c, AT_HIGH_LENGTH), *at = arguments_kept(c, AT_LENGTH), last = INFINITY;
+    double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried, last = INFINITY;
     x->crossed = 0;
     if (!c->m->n_motion_switches) return x->status;
     forgive_rounding(c, x->status);
@@ -319,7 +319,7 @@ static int32_t blame_switch(context *c, int32_t status, int32_t k)
 HM_SELDOM static int32_t pass_time(context *c, double time)
 {
     keep_signals(c, time);
-    double *before = arguments_kept(c, AT_LOW_LENGTH);
+    double *before = c->k.argument_low;
     memcpy(before, c->s.side, sizeof(double) * (size_t)c->m->n_switches);
     settle_sides(c, time, 1);
     int32_t first = c->m->n_switches - 1;
@@ -333,7 +333,7 @@ HM_SELDOM static int32_t pass_time(context *c, double time)
 HM_SELDOM static int32_t pass_motion(context *c)
 {
     const int32_t n = c->m->n_switches;
-    const double *at_high = arguments_kept(c, AT_HIGH_LENGTH);
+    const double *at_high = c->k.argument_high;
     int32_t last = 0;
     keep_signals(c, c->t);
     sense(c, 0.0, 0);

@@ -145,7 +145,7 @@ def test_laws_of_the_motion_are_located_to_round_off(law, method, step):
 
 @pytest.mark.parametrize("method", [name for name in METHODS if name != "order 2"])
 def test_a_law_that_moves_with_the_time_is_located_where_it_switches(method):
-    """x = t^2/2 + t^3/6 up to t = 0.43, behind it a parabola; each try of a step begins on time."""
+    """It moves by t^2/2 + t^3/6 up to t = 0.43, then along a parabola: each try begins on time."""
     place, speed = 0.43**2 / 2 + 0.43**3 / 6, 0.43 + 0.43**2 / 2
     law = "1 + t if A.x < 0.43**2/2 + 0.43**3/6 else -1"
     found = moved(law, method, stop=1.0, step=0.25)
