@@ -253,19 +253,6 @@ HM_SELDOM static double difference_of_stages(const context *at, const runge_kutt
     return first * first / hm_hypot(first, 0.1 * h * size_of_sum(at, x->difference[1], x->stages));
 }
 
-/* Square of the mass norm of u (n), in which islands count as in size_of_sum. */
-HM_SELDOM static double norm2_of_islands(const context *at, const double *u)
-{
-    const double all = mass_of_all(at);
-    double sum = 0.0;
-    for (int32_t island = 0; island < at->m->n_islands; island++) {
-        const double weight = weight_of_island(at, island, all);
-        const span nodes = free_nodes(at, island);
-        for (int32_t a = nodes.begin; a < nodes.end; a++) sum += weight * at->number[at->m->node_mass_at + a] * dot(u + DIM * a, u + DIM * a);
-    }
-    return sum;
-}
-
 /* Part of the difference from the first step of lower order that rows leave free. Factors are those of the end. */
 HM_SELDOM static double free_part(context *at, const runge_kutta *x)
 {
