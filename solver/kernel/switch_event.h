@@ -16,7 +16,7 @@
 enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
 enum { MOST_LOOKS = 8 }; /* places at which an argument that comes near to its level is looked for to turn */
-#define NEAR 0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
+#define COMES_NEAR 0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
 #define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
 
 typedef int32_t (*step_function)(context *, double);
@@ -168,10 +168,11 @@ HM_SELDOM static double find_turn(context *c, step_function take, double t, doub
     double place[] = {0.0, inside[0] - t, h}, *at = arguments_kept(c, AT_LENGTH);
     double left[] = {way * (level - arguments_kept(c, AT_BEGIN)[k]), way * (level - inside[1]), way * (level - arguments_kept(c, AT_HIGH_LENGTH)[k])};
     int tried = 0;
-    while (x->is_of_motion && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
+    const int is_on = x->is_of_motion && !is_off(c, k, arguments_kept(c, AT_HIGH_LENGTH)[k]);
+    while (is_on && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
         double least;
         const double lowest = lowest_between(place, left, &least);
-        if (!(lowest > NO_PIECE * h && least < NEAR * (fmax(left[0], left[2]) - least))) break;
+        if (!(lowest > NO_PIECE * h && least < COMES_NEAR * (fmax(left[0], left[2]) - least))) break;
         *status = step_anew(c, take, t, lowest);
         if (is_behind(c, *status, at) || has_seen_switch(c)) return lowest;
         const double there = way * (level - at[k]);
@@ -190,6 +191,14 @@ HM_SELDOM static double find_turns(context *c, step_function take, double t, dou
     for (int32_t k = 0; k < c->m->n_switches && turn == 0.0; k++)
         for (int way = -1; way <= 1 && turn == 0.0 && !*status; way += 2) turn = find_turn(c, take, t, h, k, way, status);
     return turn;
+}
+
+/* Whether a switch was seen off its side that is on it at the end of the last length behind one. */
+static int has_other_seen(const context *c)
+{
+    for (int32_t k = 0; k < c->m->n_switches; k++)
+        if (arguments_kept(c, SEEN)[k] != 0.0 && arguments_kept(c, BY_ROUNDING)[k] == 0.0 && !is_off(c, k, arguments_kept(c, AT_HIGH_LENGTH)[k])) return 1;
+    return 0;
 }
 
 /* Ends a step of length *h from time t, just made with this status, at the first crossing of a switch in it, if there is one:
@@ -245,7 +254,13 @@ HM_SELDOM static int32_t find_switch(context *c, step_function take, double t, d
         restore_state(c, c->k.switch_backup, t, t);
         return HOLONOM_OK;
     }
-    return made == *h && !status ? HOLONOM_OK : step_anew(c, take, t, *h);
+    if (made != *h || status) status = step_anew(c, take, t, *h);
+    if (status || failed || !(*h > least)) return status;
+    const int is_seen = has_other_seen(c); /* another one was crossed there and back before */
+    const double turn = is_seen ? 0.5 * *h : find_turns(c, take, t, *h, &status);
+    if (turn == 0.0) return status;
+    *h = turn;
+    return find_switch(c, take, t, h, is_seen ? step_anew(c, take, t, turn) : status, crossed);
 }
 
 /* Signals and their rates (signal1, signal_before) at time t, on the sides that they leave. */

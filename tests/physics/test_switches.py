@@ -211,6 +211,16 @@ def test_a_switch_that_is_crossed_there_and_back_in_a_step_is_seen(place, method
 
 
 @pytest.mark.parametrize("method", METHODS)
+def test_a_switch_that_is_crossed_there_and_back_before_another_one_is_seen(method):
+    """It is at x = 0.12 after 0.4 and 0.5 s with 0.1 m/s, and goes at -0.5 m/s after 0.9 s."""
+    text = POINT.format(law="-2 if A.x > 0.12 else -1", x=0, v=0.5)
+    text = text.replace('", 0]', '", "1 if A.vx < -0.5 else 0"]')
+    point = start(solver.assemble(solver.loads(text)), **METHODS[method])
+    point.advance(0.0, 1.0)
+    assert (point["A.vx"], point["A.vy"]) == pytest.approx((-0.6, 0.1), abs=1e-13)
+
+
+@pytest.mark.parametrize("method", METHODS)
 def test_a_level_that_is_touched_there_and_back_in_a_step_is_seen(method):
     """A step of 1 above x = 0.12 alone, where it turns: there and back it is pulled by 2."""
     v = math.sqrt(0.25 - 2 * 0.12)
