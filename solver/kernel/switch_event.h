@@ -16,7 +16,7 @@
 enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
 enum { MOST_LOOKS = 8 }; /* places at which an argument that comes near to its level is looked for to turn */
-#define NEAR 0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
+#define COMES_NEAR 0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
 #define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
 
 /* A piece of a communication step: a step from time t, which ends at a switch at the latest. */
@@ -157,10 +157,11 @@ HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
     double place[] = {0.0, inside[0] - step->t, h}, *at = c->k.argument_tried;
     double left[] = {way * (level - c->k.argument_begin[k]), way * (level - inside[1]), way * (level - c->k.argument_high[k])};
     int tried = 0;
-    while (x->is_of_motion && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
+    const int is_on = x->is_of_motion && !is_off(c, k, c->k.argument_high[k]);
+    while (is_on && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
         double least;
         const double lowest = lowest_between(place, left, &least);
-        if (!(lowest > NO_PIECE * h && least < NEAR * (fmax(left[0], left[2]) - least))) break;
+        if (!(lowest > NO_PIECE * h && least < COMES_NEAR * (fmax(left[0], left[2]) - least))) break;
         step_anew(c, step, lowest);
         if (is_behind(c, step->status, at) || has_seen_switch(c)) return lowest;
         const double there = way * (level - at[k]);
@@ -236,12 +237,20 @@ static double next_length(const context *c, const bracket *b, int trial, double 
     return trial % 2 ? behind : fmax(guess, b->low + 0.5 * round);
 }
 
+/* Whether a switch was seen off its side that is on it at the end of the last length behind one. */
+static int has_other_seen(const context *c)
+{
+    for (int32_t k = 0; k < c->m->n_switches; k++)
+        if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0 && !is_off(c, k, c->k.argument_high[k])) return 1;
+    return 0;
+}
+
 /* Ends a piece, just taken, at the first crossing of a switch of the motion in it, if there is one: its length is 0 then if that is where
    it begins. */
 HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
     const int32_t n = c->m->n_switches;
-    const double round = 4e-16 * (fabs(x->t) + x->length);
+    const double least = CLOSER * x->length, round = 4e-16 * (fabs(x->t) + x->length);
     double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried, last = INFINITY;
     x->crossed = 0;
     if (!c->m->n_motion_switches) return x->status;
@@ -273,9 +282,17 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
         x->length = 0.0;
         x->status = HOLONOM_OK;
         return_to_start(c, x);
-    } else if (made != x->length || x->status)
-        step_anew(c, x, x->length);
-    return x->status;
+        return x->status;
+    }
+    if (made != x->length || x->status) step_anew(c, x, x->length);
+    if (x->status || b.failed || !(x->length > least)) return x->status;
+    const int is_seen = has_other_seen(c); /* another one was crossed there and back before */
+    const double turn = is_seen ? 0.5 * x->length : find_turns(c, x);
+    if (turn == 0.0) return x->status;
+    x->length = turn;
+    x->stops = 0;
+    if (is_seen) step_anew(c, x, turn);
+    return find_switch(c, x);
 }
 
 /* Takes a piece from the present state. */

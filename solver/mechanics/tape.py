@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import IntEnum
 from typing import NamedTuple
 
+from solver.mechanics.knots import has_knots, on_piece, place_among_knots
 from solver.runtime.layout import CODES, OFFSETS, SWITCH_LEVEL, SWITCH_SIGN
 from solver.scene import Expr, Number
 from solver.scene.expression import Curve, Grid, Operand, operate, symbol
@@ -45,8 +46,8 @@ MOTION = {"time": Motion.WITH_TIME, "sensor": Motion.WITH_QUANTITIES}
 MOTION["sensor_rate"] = Motion.WITH_QUANTITIES
 """Of the numbers of a section; inputs move with the time unless they are held."""
 COMPARISONS = ("lt", "le", "gt", "ge", "eq", "ne")
-SWITCHING = frozenset({*COMPARISONS, "sign", "abs", "min", "max", "floor", "ceil", "mod"})
-"""Operations that jump or have a kink."""
+SWITCHING = frozenset({*COMPARISONS, "sign", "abs", "min", "max", "floor", "ceil", "mod", "spline"})
+"""Operations that jump or have a kink, or whose derivatives do."""
 MOST_SWITCHES = 64
 """Of a mechanism: all are looked at in every step, and each look runs all laws."""
 
@@ -68,6 +69,8 @@ def argument_of(number: Expr) -> Number:
     Of a comparison, min or max it is the difference.
     """
     x, y = (number.args[0], number.args[-1])
+    if number.op == "spline":
+        return place_among_knots(number)
     if number.op == "mod":
         return operate("div", x, y)  # pyright: ignore[reportArgumentType]
     if number.op == "ceil":
@@ -89,6 +92,8 @@ def on_side(number: Expr, side: Number, sign: Number) -> Number:
             return operate("select", operate("ne", side, side), side, chosen)  # hands a NaN on
         case "floor":
             return side
+        case "spline":
+            return on_piece(number, side)
         case "ceil":
             return operate("neg", side)
         case "mod":
@@ -193,7 +198,8 @@ class Tape:
             return found if found[1] is Segment.PARAMETERS else (found[0], wanted)
         segment = max(segment for _, segment in arguments)
         places = [place for place, _ in arguments]
-        if number.op in SWITCHING and segment in (Segment.LAWS, Segment.SIGNALS):
+        may_switch = number.op in SWITCHING and (number.op != "spline" or has_knots(number))
+        if may_switch and segment in (Segment.LAWS, Segment.SIGNALS):
             motion = max(self._motion.get(place, Motion.STANDS) for place in places)
             if motion is not Motion.STANDS and len(self.switches) < MOST_SWITCHES:
                 return self._switched(number, wanted, motion)
@@ -213,7 +219,7 @@ class Tape:
 
     def _switched(self, number: Expr, wanted: Segment, motion: Motion) -> tuple[int, Segment]:
         """Compile an operation that jumps or has a kink, as it is on the side of its switch."""
-        kind = SWITCH_LEVEL if number.op in ("floor", "ceil", "mod") else SWITCH_SIGN
+        kind = SWITCH_LEVEL if number.op in ("floor", "ceil", "mod", "spline") else SWITCH_SIGN
         difference = argument_of(number)
         opposite = kind == SWITCH_SIGN and len(number.args) == 2
         reverse = self._found(operate("sub", *reversed(number.args)), wanted) if opposite else None  # pyright: ignore[reportArgumentType]

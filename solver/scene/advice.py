@@ -106,17 +106,14 @@ def _prescribes(path: Path) -> bool:
 def _with_corners(
     draft: Draft, profiles: Mapping[str, Profile], parts: Mapping[str, Mapping[str, Any]]
 ) -> None:
-    """Warn of motions along straight lines, whose rate jumps where these meet."""
-    for table in ("drivers", "constraints"):
-        for name, part in parts[table].items():
-            value = getattr(part, "value", None)
-            terms = value if isinstance(value, tuple) else (value,)
-            for curve in sorted({curve for term in terms for curve in curves_of(term)}):
-                if curve in profiles and profiles[curve].has_corners:
-                    message = f"moves along the straight lines of '{curve}', whose rate jumps "
-                    message += "where they meet; velocities do not follow a jump"
-                    help = f'write interpolation = "monotone" in profiles.{curve}'
-                    draft.warn((table, name, "value"), message, help)
+    """Warn of constraints along straight lines, whose rate jumps where these meet."""
+    for name, part in parts["constraints"].items():
+        for curve in sorted(curves_of(getattr(part, "value", None))):
+            if curve in profiles and profiles[curve].has_corners:
+                message = f"moves along the straight lines of '{curve}', whose rate jumps "
+                message += "where they meet; velocities do not follow a jump"
+                help = f'write interpolation = "monotone" in profiles.{curve}'
+                draft.warn(("constraints", name, "value"), message, help)
 
 
 def _welded_twice(draft: Draft, joints: Mapping[str, Part]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from scipy.interpolate import CubicSpline, PchipInterpolator, make_interp_spline
 
 import solver
 from tests.commands import run
@@ -110,6 +111,50 @@ def test_conditions_on_profiles_of_the_time_are_met(kind, tmp_path):
         assert float(once["A.vx"]) == pytest.approx(2 * 0.04 + 0.02, abs=1e-14)
 
 
+TABLE = {"x": [0, 0.31, 0.57, 1.2], "y": [0, 2, -1, 0.5]}
+TABLES = {
+    "linear": lambda x, y: make_interp_spline(x, y, k=1),
+    "monotone": PchipInterpolator,
+    "cubic": lambda x, y: CubicSpline(x, y, bc_type="natural"),
+}
+
+
+@pytest.mark.parametrize("step", [0.2, 1.2])
+@pytest.mark.parametrize("method", ["order 6", "order 8", "tolerance", "tolerance, order 4"])
+@pytest.mark.parametrize("kind", TABLES)
+def test_forces_by_tables_of_the_time_keep_order_and_tolerance(kind, method, step):
+    """Quintics are exact above order 4; SciPy integrates the same curves."""
+    curve = TABLES[kind](TABLE["x"], TABLE["y"])
+    v = curve.antiderivative(1)
+    right = float(v.antiderivative(1)(1.2)), float(v(1.2))
+    text = POINT.format(law="g(t)", x=0, v=0)
+    text += f'[profiles]\ng = {{ x = {TABLE["x"]}, y = {TABLE["y"]}, interpolation = "{kind}" }}\n'
+    point = start(solver.assemble(solver.loads(text)), **METHODS[method])
+    for k in range(round(1.2 / step)):
+        point.advance(k * step, step)
+    allowed = 3e-15 if "order" in method and "tol" not in method else 1e-9
+    assert (point["A.x"], point["A.vx"]) == pytest.approx(right, abs=allowed)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_periodic_table_of_the_place_is_passed_point_by_point(method):
+    """Each period of 0.4 m gives 0.2 J: v^2 = 1 + 0.4 n, and more by 10 (x - 0.4 n)^2 behind."""
+    text = POINT.format(law="saw(A.x)", x=0, v=1)
+    text += "[profiles]\nsaw = { x = [0, 0.1, 0.4], y = [0, 1, 0], periodic = true, "
+    point = start(
+        solver.assemble(solver.loads(text + 'interpolation = "linear" }')), **METHODS[method]
+    )
+    for k in range(20):
+        point.advance(0.1 * k, 0.1)
+        x, v = float(point["A.x"]), float(point["A.vx"])
+        n = math.floor(x / 0.4)
+        u = x - 0.4 * n
+        gained = 5 * u**2 if u < 0.1 else 0.05 + 0.15 - 0.5 * (0.4 - u) ** 2 / 0.3
+        assert v * v / 2 == pytest.approx(
+            0.5 + 0.2 * n + gained, abs=1e-8 if "tol" in method else 2e-3
+        )
+
+
 def test_conditions_on_a_ramped_input_are_met_within_a_communication_step():
     text = POINT.format(law="1 if u > 0.3 else 0", x=0, v=0)
     text += '[inputs]\nu = { start = 0, interpolation = "ramp" }\n'
@@ -173,6 +218,16 @@ def test_a_switch_that_is_crossed_there_and_back_in_a_step_is_seen(place, method
     rest = 1.0 - (0.5 - v) - v
     right = place - v * rest - rest * rest / 2, -v - rest
     assert found == pytest.approx(right, abs=1e-13 + 1e-16 / v)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_switch_that_is_crossed_there_and_back_before_another_one_is_seen(method):
+    """It is at x = 0.12 after 0.4 and 0.5 s with 0.1 m/s, and goes at -0.5 m/s after 0.9 s."""
+    text = POINT.format(law="-2 if A.x > 0.12 else -1", x=0, v=0.5)
+    text = text.replace('", 0]', '", "1 if A.vx < -0.5 else 0"]')
+    point = start(solver.assemble(solver.loads(text)), **METHODS[method])
+    point.advance(0.0, 1.0)
+    assert (point["A.vx"], point["A.vy"]) == pytest.approx((-0.6, 0.1), abs=1e-13)
 
 
 @pytest.mark.parametrize("method", METHODS)

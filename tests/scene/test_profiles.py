@@ -293,14 +293,20 @@ def test_a_swing_is_told_from_a_tenth_of_the_range_on(lift, sign):
     assert len(scene.warnings) == (beyond > 0.1)
 
 
-def test_a_monotone_profile_gives_no_warning_and_a_driver_with_corners_does():
-    assert (
-        solver.loads(KERB.replace("INTERPOLATION", ', interpolation = "monotone"')).warnings == ()
-    )
+@pytest.mark.parametrize("word", ["monotone", "linear"])
+def test_a_driver_along_a_profile_that_does_not_swing_gives_no_warning(word):
+    text = KERB.replace("INTERPOLATION", f', interpolation = "{word}"')
+    assert solver.loads(text).warnings == ()
+
+
+def test_a_constraint_along_a_profile_with_corners_gives_a_warning():
+    text = KERB.replace("INTERPOLATION", ', interpolation = "linear"')
+    text += '[constraints]\nway = { value = "B.y - road(B.x)" }\n'
+    text = text.replace("[points]", "[points]\nB = { position = [0, 0], mass = 1 }")
     with pytest.warns(solver.SceneWarning):
-        scene = solver.loads(KERB.replace("INTERPOLATION", ', interpolation = "linear"'))
+        scene = solver.loads(text)
     (problem,) = scene.warnings
-    assert problem.location == "drivers.d.value"
+    assert problem.location == "constraints.way.value"
     assert problem.message.startswith("moves along the straight lines of 'road', whose rate jumps")
 
 
