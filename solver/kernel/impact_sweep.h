@@ -350,9 +350,10 @@ static inline void book_normal(const impact_path *s, int32_t i, double work)
     else s->x->expansion[i] += work;
 }
 
-/* Moves clock and walls on by a part h of the piece. */
-HM_SELDOM static void move_walls(impact_path *s, double h)
+/* Moves clock and walls on by a part h of the piece; returns whether a wall is back from its retreat. */
+HM_SELDOM static int move_walls(impact_path *s, double h)
 {
+    int is_back = 0;
     if (h == fabs(s->tau) && s->way_sign * s->tau < 0.0) s->tau = 0.0;
     else s->tau += s->way_sign * h;
     if (fabs(s->tau) < 1e-15) s->tau = 0.0;
@@ -360,8 +361,11 @@ HM_SELDOM static void move_walls(impact_path *s, double h)
         const double way = h * s->wall[i];
         if (s->live[i]) s->deep[i] = 0.0;
         else s->deep[i] -= way;
-        if (s->deep[i] <= none_of_row(s, s->x->first[i])) s->deep[i] = 0.0;
+        if (s->deep[i] > none_of_row(s, s->x->first[i])) continue;
+        is_back |= s->deep[i] != 0.0 || (way > 0.0 && !s->live[i]);
+        s->deep[i] = 0.0;
     }
+    return is_back;
 }
 
 HM_SELDOM static void go_straight(impact_path *s, double h)
@@ -683,9 +687,9 @@ HM_SELDOM static int go_round(impact_path *s)
         for (int32_t k = 0; k < x->rows; k++) x->impulse[k] += end[k];
         memcpy(s->gamma, gamma, sizeof(double) * (size_t)x->rows);
         const int at_rest = fabs(rest - way) <= 1e-14;
-        move_walls(s, at_rest ? rest : way);
+        const int is_back = move_walls(s, at_rest ? rest : way);
         done += h;
-        if (lost > -2 || at_rest || !(pace > 0.0)) break;
+        if (lost > -2 || at_rest || is_back || !(pace > 0.0)) break;
         h *= fmin(6.0, 0.9 * pow(fmax(error, 1e-10), -0.125));
     }
     s->by_law = 0;
