@@ -359,13 +359,14 @@ HM_SELDOM static int from_pushing(contact_problem *x, const contact_parts *s, do
     return found;
 }
 
-/* Takes out what round-off leaves of the law: impulses that pull, and friction beyond the cone. */
-HM_SELDOM static void tidy(const contact_problem *x)
+/* Takes out what round-off leaves of the law: impulses of contacts that part, and friction beyond the cone. */
+HM_SELDOM static void tidy(const contact_problem *x, const contact_parts *s)
 {
+    contact_rates(x);
     for (int32_t i = 0; i < x->contacts; i++) {
         double *p = x->p + x->first[i];
         const int32_t n = x->tangents[i];
-        if (!(p[0] > 0.0)) p[0] = 0.0;
+        if (!(p[0] - x->rate[x->first[i]] * hm_square(s->weight[x->first[i]]) > 0.0)) p[0] = 0.0;
         const double cone = x->coefficient[i] * p[0], size = n ? hm_length(n, p + 1) : 0.0;
         for (int32_t a = 1; a <= n && size > cone; a++) p[a] *= cone / size;
     }
@@ -395,7 +396,7 @@ HM_SELDOM static int hm_solve_contacts(contact_problem *x, int wanted)
     for (int32_t i = 0; i < x->contacts; i++) s.mu[i] = x->coefficient[i];
     if (!found && !count) found = from_pushing(x, &s, size);
     if (!found) return 1;
-    tidy(x);
+    tidy(x, &s);
     contact_rates(x);
     return 0;
 }

@@ -55,6 +55,7 @@ typedef struct hm_impact {
 #define BEGINS_SLOWLY 1e-3     /* growth of a slip, likewise: its direction then follows from its rate              */
 #define HAS_BEGUN 1e-6         /* likewise, slip whose direction counts                                           */
 #define LARGE_RATES 30.0       /* of impulses, over those that walls bring about alone                            */
+#define CONE_CLIPPED 1e-10     /* of the cone, by which friction of a turning slip may miss it                     */
 #define NO_WORK 1e-18          /* of p'.W p', over that of the rates of walls: rates of 0                         */
 enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
 
@@ -76,6 +77,7 @@ typedef struct impact_path {
     double *kept;          /* rows                                                                                 */
     int32_t *live, *on, *stuck, *begins;
     double tau, way_sign;
+    double energy; /* of the rates before, at each row alone; the largest                                          */
     int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
     int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
 } impact_path;
@@ -523,7 +525,7 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
     }
     double five = 0.0, three = 0.0;
     for (int side = 1; side >= 0; side--) {
-        for (int32_t e = 0; e < x->rows; e++) {
+        for (int32_t e = 0; e < n; e++) {
             sums[e] = 0.0;
             for (int stage = 0; stage < pair->stages; stage++) sums[e] += pair->difference[side][stage] * s->stage[(int64_t)n * stage + e];
         }
@@ -532,6 +534,11 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
             const double error = s->size[k] > 0.0 ? h * gamma[k] / (SWEEP_ERROR * s->size[k]) : 0.0;
             if (side) three = fmax(three, fabs(error));
             else five = fmax(five, fabs(error));
+        }
+        for (int32_t e = x->rows; e < n - 1; e++) { /* works */
+            const double error = fabs(h * sums[e]) / (10.0 * SWEEP_ERROR * s->energy);
+            if (side) three = fmax(three, error);
+            else five = fmax(five, error);
         }
     }
     for (int32_t e = 0; e < n; e++) {
@@ -744,6 +751,9 @@ HM_SELDOM static int begin_sweep(impact_path *s)
             s->size[k] = fmax(fabs(x->before[k]), fastest * sqrt(fmax(x->W[(int64_t)k * (x->rows + 1)], 0.0)));
     }
     s->tau = -1.0;
+    s->energy = 0.0;
+    for (int32_t k = 0; k < x->rows; k++)
+        if (x->W[(int64_t)k * (x->rows + 1)] > 0.0) s->energy = fmax(s->energy, hm_square(s->size[k]) / x->W[(int64_t)k * (x->rows + 1)]);
     s->by_law = s->by_path = 0;
     return approaches;
 }
@@ -786,7 +796,7 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
         double *p = x->impulse + x->first[i];
         const int32_t n = x->tangents[i];
         const double cone = x->coefficient[i] * p[0], size = n ? hm_length(n, p + 1) : 0.0;
-        for (int32_t a = 1; a <= n && size > cone; a++) p[a] *= cone / size;
+        for (int32_t a = 1; a <= n && size > cone && size <= cone * (1.0 + CONE_CLIPPED); a++) p[a] *= cone / size;
     }
     rates_of_impulses(x, x->impulse, x->after);
     int is_finite = 1;
