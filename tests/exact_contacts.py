@@ -93,7 +93,8 @@ def impact_by_routh(
             compressed, taken, gamma[0] = -taken, 0.0, 0.0
         else:
             return p, gamma
-    raise AssertionError("the path has no end")
+    msg = "the path has no end"
+    raise AssertionError(msg)
 
 
 def rod_that_bounces() -> tuple[float, float]:

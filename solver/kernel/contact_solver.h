@@ -207,7 +207,6 @@ HM_SELDOM static int try_choices(contact_problem *x, const contact_parts *s, dou
         for (int32_t i = 0, rest = choice; i < x->contacts; rest /= choices_of(x, i), i++) s->digit[i] = rest % choices_of(x, i);
         if (!choice_fits(x, s, size)) continue;
         keep_solution(x, s, size, wanted, &found, &best);
-        if (wanted == LEAST_WORK && x->contacts == 1) break;
     }
     if (found) memcpy(x->p, s->kept, sizeof(double) * (size_t)x->rows);
     return found;

@@ -788,8 +788,6 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
 {
     impact_path s = sweep_map(x);
     int end = !begin_sweep(&s);
-    for (int32_t i = 0; i < x->contacts; i++)
-        if (s.live[i] && !(impact_weight(x, i) > 0.0)) return 1; /* what moves it is held */
     for (int32_t turn = 0; !end && turn < 60 * (x->contacts + 1); turn++) end = sweep_on(&s);
     if (end <= 0 && stop_at_once(&s)) return 1;
     for (int32_t i = 0; i < x->contacts; i++) { /* what the Runge-Kutta pair leaves beyond the cone */
@@ -852,6 +850,11 @@ HM_SELDOM static int newton_instead(hm_impact *x)
 }
 
 /* Solves one impact; returns 0, or 1 if no impulses were found: those left behind then mean nothing. */
-HM_SELDOM static int hm_solve_impact(hm_impact *x) { return sweep_impact(x) && newton_instead(x); }
+HM_SELDOM static int hm_solve_impact(hm_impact *x)
+{
+    for (int32_t i = 0; i < x->contacts; i++)
+        if (!is_joint(x, i) && !(impact_weight(x, i) > 0.0) && x->before[x->first[i]] < 0.0) return 1; /* what moves it is held */
+    return sweep_impact(x) && newton_instead(x);
+}
 
 #endif
