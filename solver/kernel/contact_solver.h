@@ -365,7 +365,7 @@ HM_SELDOM static void tidy(const contact_problem *x, const contact_parts *s)
     for (int32_t i = 0; i < x->contacts; i++) {
         double *p = x->p + x->first[i];
         const int32_t n = x->tangents[i];
-        if (!(p[0] - x->rate[x->first[i]] * hm_square(s->weight[x->first[i]]) > 0.0)) p[0] = 0.0;
+        if (!(p[0] > 0.0 && p[0] - x->rate[x->first[i]] * hm_square(s->weight[x->first[i]]) > 0.0)) p[0] = 0.0;
         const double cone = x->coefficient[i] * p[0], size = n ? hm_length(n, p + 1) : 0.0;
         for (int32_t a = 1; a <= n && size > cone; a++) p[a] *= cone / size;
     }
@@ -408,7 +408,7 @@ HM_SELDOM static void project_on_cone(int32_t n, double mu, double *z, double *D
     const int32_t m = n + 1;
     const double length = n ? hm_length(n, z + 1) : 0.0;
     for (int32_t e = 0; e < m * m; e++) D[e] = 0.0;
-    if (length <= mu * z[0]) {
+    if (z[0] >= 0.0 && length <= mu * z[0]) {
         for (int32_t e = 0; e < m; e++) D[e * m + e] = 1.0;
         return;
     }
