@@ -23,6 +23,7 @@ from solver.scene import (
     CamContact,
     CornersContact,
     CylinderContact,
+    EllipsoidContact,
     ExpressionError,
     Gear,
     PointReference,
@@ -367,7 +368,8 @@ def _owner_of(part: Any, field: str, body: str | None) -> str | None:
     """Body that a place or direction is fixed to: a plane is not that of what touches it."""
     if isinstance(part, Rolling) and field != "axis":
         return None
-    return part.on if isinstance(part, CornersContact | CylinderContact) else body
+    is_on = isinstance(part, CornersContact | CylinderContact | EllipsoidContact)
+    return part.on if is_on else body
 
 
 def files_from(scene: Scene, folder: str) -> dict[Path, Written]:

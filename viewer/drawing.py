@@ -21,6 +21,7 @@ from solver.scene import (
     Damper,
     Distance,
     DistanceDriver,
+    EllipsoidContact,
     Force,
     JournalContact,
     Number,
@@ -45,6 +46,7 @@ from viewer.touching import Touching
 FORMAT = 1
 AZIMUTH, ELEVATION = math.radians(-55.0), math.radians(22.0)
 """Of the eye, unless the scene says from where it is seen."""
+ON_PLANES = PlaneContact | CornersContact | CylinderContact | EllipsoidContact
 SLIDES = ("prismatic", "cylindrical", "screw")
 
 
@@ -246,7 +248,7 @@ class _Drawing:
             return None, {}
         end = point or next(iter(points), None)
         place = self.places.named(body or "") if end is None else self._end(end)
-        if not isinstance(contact, PlaneContact | CornersContact | CylinderContact):
+        if not isinstance(contact, ON_PLANES) or contact.axis is None:
             return place, {}
         carrier = contact.body if isinstance(contact, PlaneContact) else contact.on
         axis = self.places.own(carrier, self.places.direction(contact.axis))

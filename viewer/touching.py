@@ -16,6 +16,7 @@ from solver.scene import (
     ClearanceContact,
     CornersContact,
     CylinderContact,
+    EllipsoidContact,
     HeightFieldContact,
     JournalContact,
     MeshContact,
@@ -163,6 +164,22 @@ class Touching:
         more: dict[str, Any] = {"radius": radius, "length": length or 0.02 * radius}
         place = self._place(part.body, None)
         self.solids.add(name, "contact", part.body, place, "cylinder", turn, **more)
+
+    def _ellipsoid(self, name: str, part: EllipsoidContact) -> None:
+        if part.axis is not None:
+            self._plane(name, part.on, part.position, part.axis)
+        place, half = self._place(part.body, None), self.places.vector(part.semi_axes)
+        if self.flat:
+            turns = np.linspace(0.0, 2.0 * math.pi, 97)[:-1]
+            corners = half[:2] * np.column_stack((np.cos(turns), np.sin(turns)))
+            more: dict[str, Any] = {
+                "corners": rounded(corners), "thickness": self.solids.thickness(0.0)
+            }  # fmt: skip
+            self.solids.add(name, "contact", part.body, place, "prism", **more)
+        else:
+            more = {"half_axes": half, "exponent": 2.0}
+            self.solids.add(name, "contact", part.body, place, "superquadric", **more)
+        self._ball(name, part.point, part.radius)
 
     def _rolling(self, name: str, part: Rolling) -> None:
         up = part.normal or ((0.0, 1.0) if self.flat else (0.0, 0.0, 1.0))
@@ -377,7 +394,8 @@ class Touching:
 
 SOLIDS: dict[type, Callable[[Touching, str, Any], None]] = {
     PlaneContact: Touching._on_plane, CornersContact: Touching._corners_on_plane,
-    CylinderContact: Touching._cylinder, Rolling: Touching._rolling,
+    CylinderContact: Touching._cylinder, EllipsoidContact: Touching._ellipsoid,
+    Rolling: Touching._rolling,
     SphereContact: Touching._balls, ClearanceContact: Touching._clearance,
     JournalContact: Touching._journal, Stop: Touching._stop, ProfileContact: Touching._profile,
     CamContact: Touching._cam, SurfaceContact: Touching._surface,

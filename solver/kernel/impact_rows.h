@@ -12,7 +12,7 @@ HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double fa
     composite_result result = {0.0, 0.0, 0.0};
     context still = *c;
     still.h = AT_STATE;
-    const int32_t status = composite_slopes(&still, j, 0, &result);
+    const int32_t status = composite_slopes(&still, j, SLOPES_ALONE, &result);
     if (!status) add_slopes(c, j, factor);
     return status;
 }

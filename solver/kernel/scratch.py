@@ -20,8 +20,11 @@ WORK = {
     "signal_bend": "n_signals",  # second derivatives
     "jet": "2 * n_numbers",  # rates and second derivatives of the numbers, see jets.c
     "bounds": "4 * n_numbers * switching",  # of the numbers and their rates, see ranges.c
-    "watched": "2 * switching + 4 * n_switches",  # from when to when, and switches crossed
-    # meanwhile; and their arguments at the ends of steps, see switch_event.h
+    "watched": "2 * switching", "seen": "n_switches",  # from when to when; switches crossed then
+    "argument_begin": "n_switches", "argument_low": "n_switches",  # of switches, at the start and
+    "argument_high": "n_switches", "argument_tried": "n_switches",  # ends of steps: switch_event.h
+    "argument_least": "2 * n_switches", "argument_largest": "2 * n_switches",  # each with its time
+    "by_rounding": "n_switches",  # whether a switch is off its side by rounding alone
     "switch_backup": "n_state * switching",  # before a step that a switch may cut
     "phi0": "n_rows", "phi": "n_rows",  # at the beginning, and the function that shall vanish
     "lambda": "n_rows", "mu": "n_rows",  # multiplier held fixed, total multiplier

@@ -9,6 +9,7 @@ from solver.mechanics.bodies import add_bar, add_point, add_rigid
 from solver.mechanics.combination import node
 from solver.mechanics.contacts import CONTACTS
 from solver.mechanics.couplings import COUPLINGS, driven_points
+from solver.mechanics.ellipsoids import ELLIPSOIDS
 from solver.mechanics.forces import FORCES
 from solver.mechanics.joints import JOINTS, add_joint
 from solver.mechanics.mechanism import FREE, Mechanism
@@ -21,8 +22,8 @@ from solver.scene import Bar, ExpressionError, Gear, Rack, Scene
 from solver.scene.body_sizes import PLACED, places_of_bodies, squared_sizes
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
-    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **SHAPES, **MESHES,
-    **FORCES,
+    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **SHAPES, **ELLIPSOIDS,
+    **MESHES, **FORCES,
 }  # fmt: skip
 
 

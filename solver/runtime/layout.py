@@ -400,7 +400,7 @@ MESH_TAKEN = ("pairs", "cover", "finest", "explicit", "short", "stepped")
 """How an internal step was taken: by pairs of half steps, a weighted cover, the finest cover alone,
 explicitly, by Taylor's series, or with contacts that change without being located."""
 MESH_ENDS = ("length", "event", "stop")
-"""What ended it: its length, a switch of laws, an event of contacts, a slip in space that stops."""
+"""What ended it: its length, an event of contacts, a slip in space that stops."""
 
 STATE = {
     "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over

@@ -34,6 +34,7 @@ from solver.scene.drivers import (
     JointDriver,
     PositionDriver,
 )
+from solver.scene.ellipsoids import EllipsoidContact
 from solver.scene.expression import Expr, ExpressionError, Number, Vector, evaluate, symbols
 from solver.scene.fields import Part, PointReference
 from solver.scene.forces import (

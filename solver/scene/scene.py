@@ -15,6 +15,7 @@ from solver.scene import fields as kind
 from solver.scene.bodies import BODIES, Body, Point
 from solver.scene.contacts import CONTACTS
 from solver.scene.drivers import DRIVERS, Constraint
+from solver.scene.ellipsoids import ELLIPSOIDS
 from solver.scene.expression import Number, Vector, evaluate, symbols
 from solver.scene.fields import Part, fields_of, schema_of
 from solver.scene.forces import FORCES
@@ -94,7 +95,7 @@ class Scene(Part):
         default_factory=dict
     )
     contacts: Annotated[
-        dict[str, Part], _table("contact", CONTACTS | SURFACES | SHAPES | MESHES)
+        dict[str, Part], _table("contact", CONTACTS | SURFACES | SHAPES | ELLIPSOIDS | MESHES)
     ] = field(default_factory=dict)
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
     drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)

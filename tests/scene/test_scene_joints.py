@@ -18,6 +18,7 @@ from solver.scene import (
     CylinderContact,
     DisplacementDriver,
     DistanceDriver,
+    EllipsoidContact,
     Force,
     Gear,
     Gravitation,
@@ -194,6 +195,17 @@ def test_a_cylinder_arrives_as_written():
         body="b1", radius=parse("a"), length=0.2, along=(1.0, 0.0, 0.0), axis=(0.0, 0.0, 1.0),
         position=(0.0, 0.0, -1.0), friction=0.1, surface_velocity=(parse("sin(t)"), 0.0, 0.0),
     )  # fmt: skip
+
+
+def test_ellipsoids_arrive_as_written():
+    contacts = loads(ROUGH).contacts
+    assert contacts["n5"] == EllipsoidContact(
+        body="b1", semi_axes=(1.0, parse("a"), 2.0), axis=(0.0, 0.0, 1.0),
+        position=(0.0, 0.0, -2.0), friction=0.1, surface_velocity=(parse("sin(t)"), 0.0, 0.0),
+    )  # fmt: skip
+    assert contacts["n6"] == EllipsoidContact(
+        body="b2", semi_axes=(1.0, 1.0, 2.0), point=POINT_A, radius=parse("a"), friction=0.1
+    )
 
 
 def test_a_place_on_a_body_and_on_the_ground_are_kept_and_that_of_a_point_is_not():
