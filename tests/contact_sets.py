@@ -48,9 +48,7 @@ class ContactSet:
         return list(range(k, k + 1 + self.tangents[contact]))
 
     def hit(self, laws: Laws) -> Impact:
-        return laws.impact(
-            self.W, self.before, self.tangents, self.coefficient, self.restitution
-        )
+        return laws.impact(self.W, self.before, self.tangents, self.coefficient, self.restitution)
 
     def with_contacts(self, order: list[int]) -> ContactSet:
         """Return the set with these contacts of it, in this order."""
@@ -83,9 +81,14 @@ def random_sets(dimension: int, seed: int, most_contacts: int = 3) -> Iterator[C
             for body, sign in zip(pair, (1.0, -1.0), strict=False):
                 arm = chance.uniform(-0.5, 0.5, dimension)
                 for a, axis in enumerate(axes):
-                    turn = np.atleast_1d(np.cross(arm, axis) if dimension == 3 else
-                                         arm[0] * axis[1] - arm[1] * axis[0])
-                    G[dimension * i + a, per_body * body : per_body * (body + 1)] = sign * np.concatenate([axis, turn])
+                    turn = np.atleast_1d(
+                        np.cross(arm, axis)
+                        if dimension == 3
+                        else arm[0] * axis[1] - arm[1] * axis[0]
+                    )
+                    G[dimension * i + a, per_body * body : per_body * (body + 1)] = (
+                        sign * np.concatenate([axis, turn])
+                    )
         v = chance.standard_normal(len(M))
         for i in range(count):
             if G[dimension * i] @ v > 0.0:

@@ -54,3 +54,61 @@ def slips_on_a_belt(n: int, damping: float) -> tuple[list[float], float, float]:
         t = next_root(lambda t: swung([breaks, BELT], t, 100.0, damping, 0.03)[1] - BELT)
         now, x = now + t, float(swung([breaks, BELT], t, 100.0, damping, 0.03)[0])
     return times, now, x
+
+
+def impact_by_routh(
+    W: NDArray[np.float64], before: Sequence[float], coefficient: float, restitution: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return impulses and rates (normal, slip) after an impact of one contact in the plane.
+
+    Routh's straight path over the normal impulse, with Stronge's restitution: until the work of
+    expansion is e^2 of that of compression. Its normal rate must grow all along.
+    """
+    p, gamma = np.zeros(2), np.array(before, float)
+    taken, compressed = 0.0, None
+    for _ in range(6):
+        if gamma[1]:
+            push = np.array([1.0, -coefficient * np.sign(gamma[1])])
+        else:
+            held = -W[1, 0] / W[1, 1]
+            push = np.array([1.0, np.clip(held, -coefficient, coefficient)])
+        rate = W @ push
+        if abs(rate[1]) < 1e-14 * W[1, 1]:
+            rate[1] = 0.0
+        ends = []
+        if gamma[1] * rate[1] < 0.0:
+            ends.append((-gamma[1] / rate[1], "stops"))
+        if compressed is None:
+            ends.append((-gamma[0] / rate[0], "expands"))
+        else:  # gamma way + rate way^2/2 = what is left
+            left = restitution**2 * compressed - taken
+            root = np.sqrt(gamma[0] ** 2 + 2.0 * rate[0] * left)
+            ends.append((2.0 * left / (gamma[0] + root) if root else 0.0, "ends"))
+        way, why = min(ends)
+        taken += way * (gamma[0] + 0.5 * way * rate[0])
+        p, gamma = p + way * push, gamma + way * rate
+        if why == "stops":
+            gamma[1] = 0.0
+        elif why == "expands":
+            compressed, taken, gamma[0] = -taken, 0.0, 0.0
+        else:
+            return p, gamma
+    msg = "the path has no end"
+    raise AssertionError(msg)
+
+
+def rod_that_bounces() -> tuple[float, float]:
+    """When the far end of `rod_that_falls(0.5, 1.0)` lands [s], and what its impact takes [J]."""
+    x, y = 0.5 * np.cos(0.6), 0.5 * np.sin(0.6)
+    fall = np.sqrt(2.0 * (0.8 - y) / GRAVITY)
+    G = np.array([[0.0, 1.0, -x], [1.0, 0.0, y]])  # of the near end: up, along
+    M = np.array([1.0, 1.0, 1.0 / 12.0])
+    v = np.array([1.0, -GRAVITY * fall, 0.0])
+    p, after = impact_by_routh((G / M) @ G.T, G @ v, 0.2, 0.5)
+    after_v = v + G.T @ p / M
+
+    def height(t: float) -> float:
+        angle = 0.6 + after_v[2] * t
+        return y + after_v[1] * t - 0.5 * GRAVITY * t * t + 0.5 * np.sin(angle)
+
+    return fall + next_root(height), float(-p @ (G @ v + after) / 2.0)

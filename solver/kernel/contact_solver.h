@@ -207,7 +207,6 @@ HM_SELDOM static int try_choices(contact_problem *x, const contact_parts *s, dou
         for (int32_t i = 0, rest = choice; i < x->contacts; rest /= choices_of(x, i), i++) s->digit[i] = rest % choices_of(x, i);
         if (!choice_fits(x, s, size)) continue;
         keep_solution(x, s, size, wanted, &found, &best);
-        if (wanted == LEAST_WORK && x->contacts == 1) break;
     }
     if (found) memcpy(x->p, s->kept, sizeof(double) * (size_t)x->rows);
     return found;
@@ -359,13 +358,14 @@ HM_SELDOM static int from_pushing(contact_problem *x, const contact_parts *s, do
     return found;
 }
 
-/* Takes out what round-off leaves of the law: impulses that pull, and friction beyond the cone. */
-HM_SELDOM static void tidy(const contact_problem *x)
+/* Takes out what round-off leaves of the law: impulses of contacts that part, and friction beyond the cone. */
+HM_SELDOM static void tidy(const contact_problem *x, const contact_parts *s)
 {
+    contact_rates(x);
     for (int32_t i = 0; i < x->contacts; i++) {
         double *p = x->p + x->first[i];
         const int32_t n = x->tangents[i];
-        if (!(p[0] > 0.0)) p[0] = 0.0;
+        if (!(p[0] > 0.0 && p[0] - x->rate[x->first[i]] * hm_square(s->weight[x->first[i]]) > 0.0)) p[0] = 0.0;
         const double cone = x->coefficient[i] * p[0], size = n ? hm_length(n, p + 1) : 0.0;
         for (int32_t a = 1; a <= n && size > cone; a++) p[a] *= cone / size;
     }
@@ -395,7 +395,7 @@ HM_SELDOM static int hm_solve_contacts(contact_problem *x, int wanted)
     for (int32_t i = 0; i < x->contacts; i++) s.mu[i] = x->coefficient[i];
     if (!found && !count) found = from_pushing(x, &s, size);
     if (!found) return 1;
-    tidy(x);
+    tidy(x, &s);
     contact_rates(x);
     return 0;
 }
@@ -408,7 +408,7 @@ HM_SELDOM static void project_on_cone(int32_t n, double mu, double *z, double *D
     const int32_t m = n + 1;
     const double length = n ? hm_length(n, z + 1) : 0.0;
     for (int32_t e = 0; e < m * m; e++) D[e] = 0.0;
-    if (length <= mu * z[0]) {
+    if (z[0] >= 0.0 && length <= mu * z[0]) {
         for (int32_t e = 0; e < m; e++) D[e * m + e] = 1.0;
         return;
     }

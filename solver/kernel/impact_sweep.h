@@ -55,6 +55,7 @@ typedef struct hm_impact {
 #define BEGINS_SLOWLY 1e-3     /* growth of a slip, likewise: its direction then follows from its rate              */
 #define HAS_BEGUN 1e-6         /* likewise, slip whose direction counts                                           */
 #define LARGE_RATES 30.0       /* of impulses, over those that walls bring about alone                            */
+#define CONE_CLIPPED 1e-10     /* of the cone, by which friction of a turning slip may miss it                     */
 #define NO_WORK 1e-18          /* of p'.W p', over that of the rates of walls: rates of 0                         */
 enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
 
@@ -76,6 +77,7 @@ typedef struct impact_path {
     double *kept;          /* rows                                                                                 */
     int32_t *live, *on, *stuck, *begins;
     double tau, way_sign;
+    double energy; /* of the rates before, at each row alone; the largest                                          */
     int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
     int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
 } impact_path;
@@ -350,9 +352,10 @@ static inline void book_normal(const impact_path *s, int32_t i, double work)
     else s->x->expansion[i] += work;
 }
 
-/* Moves clock and walls on by a part h of the piece. */
-HM_SELDOM static void move_walls(impact_path *s, double h)
+/* Moves clock and walls on by a part h of the piece; returns whether a wall is back from its retreat. */
+HM_SELDOM static int move_walls(impact_path *s, double h)
 {
+    int is_back = 0;
     if (h == fabs(s->tau) && s->way_sign * s->tau < 0.0) s->tau = 0.0;
     else s->tau += s->way_sign * h;
     if (fabs(s->tau) < 1e-15) s->tau = 0.0;
@@ -360,8 +363,11 @@ HM_SELDOM static void move_walls(impact_path *s, double h)
         const double way = h * s->wall[i];
         if (s->live[i]) s->deep[i] = 0.0;
         else s->deep[i] -= way;
-        if (s->deep[i] <= none_of_row(s, s->x->first[i])) s->deep[i] = 0.0;
+        if (s->deep[i] > none_of_row(s, s->x->first[i])) continue;
+        is_back |= s->deep[i] != 0.0 || (way > 0.0 && !s->live[i]);
+        s->deep[i] = 0.0;
     }
+    return is_back;
 }
 
 HM_SELDOM static void go_straight(impact_path *s, double h)
@@ -519,7 +525,7 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
     }
     double five = 0.0, three = 0.0;
     for (int side = 1; side >= 0; side--) {
-        for (int32_t e = 0; e < x->rows; e++) {
+        for (int32_t e = 0; e < n; e++) {
             sums[e] = 0.0;
             for (int stage = 0; stage < pair->stages; stage++) sums[e] += pair->difference[side][stage] * s->stage[(int64_t)n * stage + e];
         }
@@ -528,6 +534,11 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
             const double error = s->size[k] > 0.0 ? h * gamma[k] / (SWEEP_ERROR * s->size[k]) : 0.0;
             if (side) three = fmax(three, fabs(error));
             else five = fmax(five, fabs(error));
+        }
+        for (int32_t e = x->rows; e < n - 1; e++) { /* works */
+            const double error = fabs(h * sums[e]) / (10.0 * SWEEP_ERROR * s->energy);
+            if (side) three = fmax(three, error);
+            else five = fmax(five, error);
         }
     }
     for (int32_t e = 0; e < n; e++) {
@@ -683,9 +694,9 @@ HM_SELDOM static int go_round(impact_path *s)
         for (int32_t k = 0; k < x->rows; k++) x->impulse[k] += end[k];
         memcpy(s->gamma, gamma, sizeof(double) * (size_t)x->rows);
         const int at_rest = fabs(rest - way) <= 1e-14;
-        move_walls(s, at_rest ? rest : way);
+        const int is_back = move_walls(s, at_rest ? rest : way);
         done += h;
-        if (lost > -2 || at_rest || !(pace > 0.0)) break;
+        if (lost > -2 || at_rest || is_back || !(pace > 0.0)) break;
         h *= fmin(6.0, 0.9 * pow(fmax(error, 1e-10), -0.125));
     }
     s->by_law = 0;
@@ -740,6 +751,9 @@ HM_SELDOM static int begin_sweep(impact_path *s)
             s->size[k] = fmax(fabs(x->before[k]), fastest * sqrt(fmax(x->W[(int64_t)k * (x->rows + 1)], 0.0)));
     }
     s->tau = -1.0;
+    s->energy = 0.0;
+    for (int32_t k = 0; k < x->rows; k++)
+        if (x->W[(int64_t)k * (x->rows + 1)] > 0.0) s->energy = fmax(s->energy, hm_square(s->size[k]) / x->W[(int64_t)k * (x->rows + 1)]);
     s->by_law = s->by_path = 0;
     return approaches;
 }
@@ -774,15 +788,13 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
 {
     impact_path s = sweep_map(x);
     int end = !begin_sweep(&s);
-    for (int32_t i = 0; i < x->contacts; i++)
-        if (s.live[i] && !(impact_weight(x, i) > 0.0)) return 1; /* what moves it is held */
     for (int32_t turn = 0; !end && turn < 60 * (x->contacts + 1); turn++) end = sweep_on(&s);
     if (end <= 0 && stop_at_once(&s)) return 1;
     for (int32_t i = 0; i < x->contacts; i++) { /* what the Runge-Kutta pair leaves beyond the cone */
         double *p = x->impulse + x->first[i];
         const int32_t n = x->tangents[i];
         const double cone = x->coefficient[i] * p[0], size = n ? hm_length(n, p + 1) : 0.0;
-        for (int32_t a = 1; a <= n && size > cone; a++) p[a] *= cone / size;
+        for (int32_t a = 1; a <= n && size > cone && size <= cone * (1.0 + CONE_CLIPPED); a++) p[a] *= cone / size;
     }
     rates_of_impulses(x, x->impulse, x->after);
     int is_finite = 1;
@@ -838,6 +850,11 @@ HM_SELDOM static int newton_instead(hm_impact *x)
 }
 
 /* Solves one impact; returns 0, or 1 if no impulses were found: those left behind then mean nothing. */
-HM_SELDOM static int hm_solve_impact(hm_impact *x) { return sweep_impact(x) && newton_instead(x); }
+HM_SELDOM static int hm_solve_impact(hm_impact *x)
+{
+    for (int32_t i = 0; i < x->contacts; i++)
+        if (!is_joint(x, i) && !(impact_weight(x, i) > 0.0) && x->before[x->first[i]] < 0.0) return 1; /* what moves it is held */
+    return sweep_impact(x) && newton_instead(x);
+}
 
 #endif

@@ -281,6 +281,15 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     return 0;
 }
 
+/* Says that the law of impact found no path, and which law stood in. */
+static void say_newton(hm_text *text, const double *head)
+{
+    if (!HM_CONTACTS || head[S_NEWTON_IMPACTS] == 0.0) return;
+    hm_say(text, "%6g impacts of this step have Newton's restitution, lowered until no energy arises, since the energetic law found no impulses "
+                 "(solver.newton_impacts counts them); contacts that hold the same thing twice and strong friction make that likely",
+           head[S_NEWTON_IMPACTS]);
+}
+
 /* Says that energies are off the ledger though steps are solved. */
 static void say_open_ledger(hm_text *text, const double *head)
 {
@@ -398,7 +407,7 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
 {
     if (!(said & REMARK_NUMBERS)) hm_broken_rules(text, f, numbers, RULES_NOTED);
     said |= REMARK_NUMBERS;
-    for (int what = REMARK_ORDER; what <= REMARK_COARSE_RUN; what *= 2) {
+    for (int what = REMARK_ORDER; what <= REMARK_NEWTON; what *= 2) {
         const size_t begin = text->used;
         if (said & what) continue;
         if (begin) hm_say(text, "\n");
@@ -406,6 +415,7 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
         int lasting = 1;
         if (what == REMARK_ORDER) lasting = say_order_limit(text, f, numbers, s->head);
         else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
+        else if (what == REMARK_NEWTON) say_newton(text, s->head);
         else if (what == REMARK_SAMPLING) say_missed_load(text, f, s);
         else if (s->head[S_COARSENESS] > HOLONOM_MOST_COARSENESS && is_over(s->head) == (what == REMARK_COARSE_RUN))
             say_coarse_steps(text, f, numbers, s, what == REMARK_COARSE_RUN);

@@ -223,7 +223,7 @@ def test_a_pin_that_is_drawn_in_the_middle_of_its_hole_leaves_it_when_it_would_p
 
 @pytest.mark.parametrize("h", [1e-2, 1e-3])
 def test_a_bearing_that_rubs_goes_on_the_other_way_when_its_pendulum_rebounds(h):
-    """Restitution of energy and Newton's differ by what it takes in hits, 3e-4 of the rest."""
+    """Stepped, the bearing rubs while the stop presses, not while it gives back: 6e-4 of all."""
     path, names = SCENES / "pendulum_with_stop.toml", ["energy.dissipated", "energy.error"]
     located = solver.simulate(path, outputs=names, stop_time=6.0)
     found = solver.simulate(
@@ -232,7 +232,7 @@ def test_a_bearing_that_rubs_goes_on_the_other_way_when_its_pendulum_rebounds(h)
     )  # fmt: skip
     assert found["stop.impacts"][-1] == 4.0
     lost = located["energy.dissipated"][-1]
-    assert found["energy.dissipated"][-1] == pytest.approx(lost, rel=5e-4)
+    assert found["energy.dissipated"][-1] == pytest.approx(lost, rel=7e-4)
     assert found["energy.error"].max() < 1e-12
 
 
