@@ -83,6 +83,8 @@ WORK = {
     "hit_force": "n_hit_forces * n_hit_rows",  # impulses in joints that rub, of unit impulses
     "hit": "9 * n_hit_rows",  # six vectors of numbers and five of integers, see map_hit
     "hit_scratch": "IMPACT_SCRATCH(n_hit_rows)",
+    "rest": "SPLIT_SCRATCH(n_hit_rows) * unilateral",  # see contact_split.h
+    "rest_modes": "n_state * unilateral",  # before contacts are opened there
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }
 # fmt: on
