@@ -18,9 +18,10 @@ static int32_t agree_with_forces(context *c)
         int32_t status = evaluate_forces(c);
         const double none = force_tolerance(c);
         if (status) return status;
-        int holds = !is_beyond(c, none);
-        if (!holds && (status = hold_together(c, &holds, NULL))) return status;
-        if ((!holds && (open_worst(c, none) || slide_worst(c, none))) || turn_back(c) || close_worst(c)) continue;
+        enum togetherness how = HOLD;
+        if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
+        if (how == GIVE_WAY || (how == NOT_TOGETHER && (open_worst(c, none) || slide_worst(c, none)))) continue;
+        if (turn_back(c) || close_worst(c)) continue;
         if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
         change--;
     }
@@ -92,6 +93,16 @@ static int32_t guess_by_law(context *c)
     return HOLONOM_OK;
 }
 
+/* Lets contacts share forces where the multipliers of half steps to come are outside the cones. */
+static int32_t share_means(context *c)
+{
+    enum togetherness how;
+    double load;
+    if (!c->m->n_contacts) return HOLONOM_OK;
+    memcpy(c->k.event_mu, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
+    return is_beyond(c, CONE_MARGIN * largest_normal(c, c->s.mean)) ? hold_together(c, &how, &load) : HOLONOM_OK;
+}
+
 /* Decides from the present state which contacts are closed and which frictions stick. */
 static int32_t settle_modes(context *c)
 {
@@ -102,10 +113,9 @@ static int32_t settle_modes(context *c)
         if (!status) status = agree_with_forces(c);
     }
     if (!status) status = start_with_modes(c);
-    if (status || !c->m->n_contacts) return status;
-    int ignored;
-    memcpy(c->k.event_mu, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
-    return is_beyond(c, CONE_MARGIN * largest_normal(c, c->s.mean)) ? hold_together(c, &ignored, NULL) : HOLONOM_OK;
+    if (!status) status = share_means(c);
+    c->gives_way = 0;
+    return status;
 }
 
 #endif

@@ -11,6 +11,7 @@
 
 #define SAME_ROW 1e-10   /* pivot of W with the diagonal 1 that counts as zero                                       */
 #define WELL_INSIDE 1e-7 /* of the coefficients: a split that is so far inside its cones if there is one stays inside as it is */
+#define SLIPS 1e-6       /* rate over the largest one that counts as a slip                                          */
 #define CONE_MARGIN 1e-9 /* of the cone: a friction that is so far beyond it holds                                   */
 
 /* Vectors of a split over the scratch `rest`. */
@@ -174,15 +175,46 @@ HM_SELDOM static void share_forces(const context *c, const shared_forces *x, dou
     }
 }
 
-/* Whether closed contacts that do not slide hold by forces inside their cones, with the multipliers in event_mu, which are outside. Then
-   they share these forces. `load`, if wanted, is the least factor of all coefficients that would do; infinity if none does, or
-   if they do not hold anything twice. */
-HM_SELDOM static int32_t hold_together(context *c, int *holds, double *load)
+/* Lets frictions of contacts that do not hold slide, all that have a slip in the motion that the unbounded dual is: with y for
+   velocities, and rates B'y, the forces at hand do more work than any inside the cones. Returns whether there is one. */
+HM_SELDOM static int slide_together(context *c, const shared_forces *x)
+{
+    const rest_split *s = &x->split;
+    double largest = 0.0;
+    int slides = 0;
+    for (int32_t l = 0; l < s->rows; l++) {
+        x->p[l] = 0.0;
+        for (int32_t k = 0; k < s->rank; k++) x->p[l] += s->B[s->rows * k + l] * s->dual[k];
+        largest = fmax(largest, fabs(x->p[l]));
+    }
+    for (int32_t i = 0; i < s->contacts; i++) {
+        const double *rate = x->p + x->first[i];
+        double size2 = 0.0, along[3] = {0.0, 0.0, 0.0};
+        for (int32_t l = 1; l <= x->tangents[i]; l++) size2 += rate[l] * rate[l];
+        const double size = sqrt(size2);
+        if (!(size > SLIPS * largest)) continue;
+        for (int32_t l = 1; l <= x->tangents[i]; l++) along[l - 1] = -rate[l] / size;
+        let_slide(c, c->m->contact_friction[x->contact[i]], along);
+        blame(c, x->row[x->first[i] + 1]);
+        slides = 1;
+    }
+    return slides;
+}
+
+/* What contacts that hold something twice do, whose multipliers are not all inside the cones. */
+enum togetherness {
+    NOT_TOGETHER, /* they hold nothing twice, or no forces inside cones of any width do                        */
+    HOLD,         /* by forces inside the cones, which they share now                                          */
+    GIVE_WAY      /* there are none                                                                             */
+};
+
+/* Finds out, of closed contacts that do not slide, with the multipliers in event_mu. `load`, if wanted, is the least factor of all
+   coefficients with which they would hold; else those slide that give way. */
+HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, double *load)
 {
     shared_forces x = map_shared(c);
     rest_split *s = &x.split;
-    *holds = 0;
-    if (load) *load = INFINITY;
+    *how = NOT_TOGETHER;
     if (!collect_shared(c, &x)) return HOLONOM_OK;
     for (int32_t r = 0; r < s->rows; r++) x.p[r] = -c->k.event_mu[row_of(c, x.row[r])];
     const int32_t status = fill_shared(c, &x);
@@ -191,9 +223,14 @@ HM_SELDOM static int32_t hold_together(context *c, int *holds, double *load)
     if (s->rank == s->rows || !(size > 0.0)) return HOLONOM_OK;
     split_of_rows(c, &x);
     if (load) *load = load_factor(s);
-    if (load && *load > 1.0 + CONE_MARGIN) return HOLONOM_OK;
-    *holds = has_split(s, 1.0 - WELL_INSIDE) || has_split(s, 1.0 + CONE_MARGIN);
-    if (*holds) share_forces(c, &x, size);
+    if (load && *load > 1.0 + CONE_MARGIN) {
+        *how = *load < INFINITY ? GIVE_WAY : NOT_TOGETHER;
+        return HOLONOM_OK;
+    }
+    if (has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN))) {
+        *how = HOLD;
+        share_forces(c, &x, size);
+    } else if (!load && slide_together(c, &x)) *how = GIVE_WAY;
     return HOLONOM_OK;
 }
 

@@ -60,18 +60,15 @@ static int has_shares(const context *c)
    least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
 #define SURELY 1e-3 /* of the largest normal force: a function that does not become 0                                 */
 
-HM_SELDOM static void value_together(context *c, event_values x, int holds, double load)
+HM_SELDOM static void value_together(context *c, event_values x, double load)
 {
     const double largest = SURELY * largest_normal(c, c->k.event_mu);
-    c->together = load < INFINITY;
+    c->together = 1;
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t f = c->m->contact_friction[i], k = c->m->n_contacts + f;
         if (!is_closed(c, i) || (f >= 0 && friction_mode(c, f) == FRICTION_SLIDES)) continue;
-        if (holds || c->together) x.value[i] = fmax(x.value[i], largest);
-        if (!is_stuck(c, f)) continue;
-        const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
-        if (c->together) x.value[k] = (1.0 + CONE_MARGIN - load) * fmax(limit, largest);
-        else if (holds) x.value[k] = fmax(x.value[k], SURELY * largest);
+        x.value[i] = fmax(x.value[i], largest);
+        if (is_stuck(c, f)) x.value[k] = (1.0 + CONE_MARGIN - load) * fmax(cone(c, f, 0, normal_force(c, f, c->k.event_mu)), largest);
     }
 }
 
@@ -105,10 +102,10 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     }
     if (status || !has_closed(c)) return status;
     double load = INFINITY;
-    int holds = 0;
-    if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &holds, &load);
+    enum togetherness how = NOT_TOGETHER;
+    if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
     else forget_shares(c);
-    if (holds || load < INFINITY) value_together(c, x, holds, load);
+    if (how != NOT_TOGETHER) value_together(c, x, load);
     return status;
 }
 
@@ -303,16 +300,6 @@ static int has_ended(const context *c, int32_t k)
     return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k);
 }
 
-/* Of frictions that stick together and do so no longer the one with the largest force against its cone: it slides first, and the
-   forces then tell which of the others do; -1: there is none. */
-HM_SELDOM static int32_t first_to_slide(const context *c)
-{
-    int32_t first = -1;
-    for (int32_t f = 0; f < c->m->n_frictions && c->together; f++)
-        if (friction_mode(c, f) == FRICTION_STICKS && is_of_contact(c, f) && (first < 0 || excess_of(c, f) > excess_of(c, first))) first = f;
-    return first;
-}
-
 /* Changes the modes that have ended: contacts without force open, frictions at their cones slide, those without slip stick. */
 HM_SELDOM static int32_t change_modes(context *c)
 {
@@ -321,7 +308,6 @@ HM_SELDOM static int32_t change_modes(context *c)
         const int32_t status = project_velocities(c, S_IMPACT);
         if (status) return status;
     }
-    const int32_t first = first_to_slide(c);
     for (int32_t i = 0; i < m->n_contacts; i++)
         if (is_closed(c, i) && has_ended(c, i)) open_contact(c, i), contact_of(c, i)[C_PARTED] = 1.0;
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
@@ -334,7 +320,10 @@ HM_SELDOM static int32_t change_modes(context *c)
             if (status) return status;
             continue;
         }
-        if (first >= 0 && f != first && is_of_contact(c, f)) continue;
+        if (c->together && is_of_contact(c, f)) { /* new modes tell who slides */
+            c->gives_way = 1;
+            continue;
+        }
         friction_force(c, f, c->k.event_mu, along);
         let_slide(c, f, along);
     }

@@ -159,7 +159,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
             slip = rate_of_row(c, slip_row(c, f, 0));
         }
         y->friction[3 * f] = mode == FRICTION_OFF ? 0.0 : force;
-        y->friction[3 * f + 1] = slip;
+        y->friction[3 * f + 1] = mode == FRICTION_STICKS ? 0.0 : slip;
         y->friction[3 * f + 2] = mode;
     }
     y->loss[0] = head[S_DISSIPATED], y->loss[1] = head[S_FRICTION], y->loss[2] = head[S_IMPACT];
