@@ -127,6 +127,17 @@ HM_SELDOM static void guess_friction(context *c, int32_t f)
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }
 
+/* Adds to multipliers mu of half steps what their contacts share otherwise than rows do, see contact_split.h. */
+static void add_shares(const context *c, double *mu)
+{
+    for (int32_t i = 0; i < n_contacts(c->m); i++) {
+        const int32_t f = c->m->contact_friction[i];
+        if (contact_of(c, i)[C_SHARES] == 0.0) continue;
+        mu[row_of(c, c->m->contact_row[i])] += contact_of(c, i)[C_SHIFT];
+        for (int k = 0; f >= 0 && k < n_slips(c, f); k++) mu[row_of(c, slip_row(c, f, k))] += friction_of(c, f)[F_SHIFT_1 + k];
+    }
+}
+
 /* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at hand; signal_rate is that
    of the state. */
 HM_SELDOM static int32_t evaluate_forces(context *c)
@@ -182,6 +193,23 @@ HM_SELDOM static int open_worst(context *c, double none)
     return 1;
 }
 
+/* How far the force of friction f that sticks is beyond its cone, less a little of that. */
+HM_SELDOM static double excess_of(const context *c, int32_t f)
+{
+    const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
+    return friction_force(c, f, c->k.event_mu, NULL) - limit - 1e-10 * fabs(limit);
+}
+
+/* Whether a closed contact pulls or a friction that sticks is beyond its cone. */
+HM_SELDOM static int is_beyond(const context *c, double none)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i) && normal_of(c, i) < -none) return 1;
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (friction_mode(c, f) == FRICTION_STICKS && excess_of(c, f) > none) return 1;
+    return 0;
+}
+
 /* Lets the friction that is farthest beyond its cone slide; 0 if all hold. */
 HM_SELDOM static int slide_worst(context *c, double none)
 {
@@ -189,8 +217,7 @@ HM_SELDOM static int slide_worst(context *c, double none)
     double most = none, along[3];
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         if (friction_mode(c, f) != FRICTION_STICKS) continue;
-        const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
-        const double excess = friction_force(c, f, c->k.event_mu, NULL) - limit - 1e-10 * fabs(limit);
+        const double excess = excess_of(c, f);
         if (excess > most) most = excess, worst = f;
     }
     if (worst < 0) return 0;
@@ -299,23 +326,6 @@ HM_SELDOM static void guess_modes(context *c)
     }
     for (int32_t f = 0; f < m->n_frictions; f++)
         if (!is_of_contact(c, f)) guess_friction(c, f);
-}
-
-enum { MOST_TURNS = 100 };
-
-/* Changes modes one at a time until they agree with the forces. */
-static int32_t agree_with_forces(context *c)
-{
-    const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
-    for (int change = 0, turns = 0; change < most; change++) {
-        const int32_t status = evaluate_forces(c);
-        const double none = force_tolerance(c);
-        if (status) return status;
-        if (open_worst(c, none) || slide_worst(c, none) || turn_back(c) || close_worst(c)) continue;
-        if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
-        change--;
-    }
-    return HOLONOM_CONTACT_UNDECIDED;
 }
 
 /* Finds multipliers and accelerations of the modes at hand, as at the start of a run. */

@@ -4,7 +4,28 @@
 #ifndef HOLONOM_CONTACT_MODES_H
 #define HOLONOM_CONTACT_MODES_H
 
-#include "impact.h"
+#include "contact_split.h"
+
+enum { MOST_TURNS = 100 };
+
+/* Changes modes one at a time until they agree with the forces, or with others that hold the same. */
+static int32_t agree_with_forces(context *c)
+{
+    const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
+    for (int change = 0, turns = 0; change < most; change++) {
+        forget_shares(c);
+        int32_t status = evaluate_forces(c);
+        const double none = force_tolerance(c);
+        if (status) return status;
+        enum togetherness how = HOLD;
+        if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
+        if (how == GIVE_WAY || (how == NOT_TOGETHER && (open_worst(c, none) || slide_worst(c, none)))) continue;
+        if (turn_back(c) || close_worst(c)) continue;
+        if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
+        change--;
+    }
+    return HOLONOM_CONTACT_UNDECIDED;
+}
 
 /* Momentum += factor times the gradient of contact i's gap, with the friction that a normal force of 1 brings about while
    it slides.                                                                                                   */
@@ -77,6 +98,16 @@ static int32_t guess_by_law(context *c)
     return HOLONOM_OK;
 }
 
+/* Lets contacts share forces where the multipliers of half steps to come are outside the cones. */
+static int32_t share_means(context *c)
+{
+    enum togetherness how;
+    double load;
+    if (!c->m->n_contacts) return HOLONOM_OK;
+    memcpy(c->k.event_mu, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
+    return is_beyond(c, CONE_MARGIN * largest_normal(c, c->s.mean)) ? hold_together(c, &how, &load) : HOLONOM_OK;
+}
+
 /* Decides from the present state which contacts are closed and which frictions stick. */
 static int32_t settle_modes(context *c)
 {
@@ -86,7 +117,10 @@ static int32_t settle_modes(context *c)
         status = guess_by_law(c);
         if (!status) status = agree_with_forces(c);
     }
-    return status ? status : start_with_modes(c);
+    if (!status) status = start_with_modes(c);
+    if (!status) status = share_means(c);
+    c->gives_way = 0;
+    return status;
 }
 
 #endif

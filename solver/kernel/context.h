@@ -41,6 +41,9 @@ typedef struct context {
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
     int soft;           /* whether the tangent leaves out how forces of sliding frictions turn with the place          */
+    int outside;        /* whether forces as the half steps tell them are outside the cones of contacts at rest        */
+    int together;       /* whether functions of event.h are those of contacts that stick together                    */
+    int gives_way;      /* whether the event at hand is that these hold no longer                                  */
     int reads;          /* whether laws read the increment that is solved for, see inputs_signals.h          */
     int foretells;      /* whether they read a prediction of it, since it had no solution                           */
     int32_t n_secants;  /* pairs of increments and what they changed, at this length with these factors, see secants.h */
@@ -234,7 +237,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->divided = c->sliding = c->soft = c->stepping = c->reads = c->foretells = c->n_secants = c->has_last = c->lagged = 0;
+    c->at_fault = c->divided = c->sliding = c->soft = c->outside = c->together = c->gives_way = c->stepping = c->reads = c->foretells = c->n_secants = c->has_last = c->lagged = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);

@@ -49,12 +49,47 @@ static double slip_along(const context *c, int32_t f)
     return sum;
 }
 
+static int has_shares(const context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (contact_of(c, i)[C_SHARES] != 0.0) return 1;
+    return 0;
+}
+
+/* Where contacts hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1 less the
+   least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
+#define SURELY 1e-3 /* of the largest normal force: a function that does not become 0                                 */
+
+HM_SELDOM static void value_together(context *c, event_values x, double load)
+{
+    const double largest = SURELY * largest_normal(c, c->k.event_mu);
+    c->together = 1;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const int32_t f = c->m->contact_friction[i], k = c->m->n_contacts + f;
+        if (!is_closed(c, i) || (f >= 0 && friction_mode(c, f) == FRICTION_SLIDES)) continue;
+        x.value[i] = fmax(x.value[i], largest);
+        if (is_stuck(c, f)) x.value[k] = (1.0 + CONE_MARGIN - load) * fmax(cone(c, f, 0, normal_force(c, f, c->k.event_mu)), largest);
+    }
+}
+
+/* Whether the forces that contacts share have left their cones, by more than rounding. */
+HM_SELDOM static int is_outside(const context *c)
+{
+    const double none = CONE_MARGIN * largest_normal(c, c->k.event_mu);
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i) && normal_of(c, i) < -none) return 1;
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (friction_mode(c, f) == FRICTION_STICKS && excess_of(c, f) > none) return 1;
+    return 0;
+}
+
 /* The functions at the present state. */
 HM_SELDOM static int32_t event_functions(context *c, event_values x)
 {
     const holonom_model *m = c->m;
     evaluate_state(c);
-    const int32_t status = has_forces(c) ? evaluate_forces(c) : HOLONOM_OK;
+    int32_t status = has_forces(c) ? evaluate_forces(c) : HOLONOM_OK;
+    c->together = 0;
     for (int32_t i = 0; i < m->n_contacts && !status; i++) {
         x.value[i] = is_closed(c, i) ? normal_of(c, i) : gap_of(c, i);
         x.rate[i] = is_closed(c, i) ? NAN : gap_rate(c, i);
@@ -65,6 +100,12 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
         if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, c->k.event_mu, NULL);
         if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
     }
+    if (status || !has_closed(c)) return status;
+    double load = INFINITY;
+    enum togetherness how = NOT_TOGETHER;
+    if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
+    else forget_shares(c);
+    if (how != NOT_TOGETHER) value_together(c, x, load);
     return status;
 }
 
@@ -91,6 +132,15 @@ static double fastest_node(const context *c) { return sqrt(largest_square(c, c->
    change: two sides may approach each other, and speeds may double in the piece.                                 */
 #define SAFE_WAYS 4.0
 
+/* Whether multipliers are those of the half steps before. */
+static int forces_stand_still(const context *c)
+{
+    const double none = CONE_MARGIN * largest_normal(c, c->s.mean);
+    for (int32_t i = 0; i < c->m->n_rows; i++)
+        if (!(fabs(c->s.mean[i] - c->s.mean_before[i]) <= none)) return 0;
+    return 1;
+}
+
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
    two means extrapolate. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
 static int is_quiet(context *c, double h, event_values low, event_values x)
@@ -99,15 +149,20 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
     const double gap = c->s.head[S_MEAN_TIME] - c->s.head[S_MEAN_TIME_BEFORE];
     const double ahead = gap > 0.0 && gap < INFINITY ? (c->t - c->s.head[S_MEAN_TIME]) / gap : 0.0;
     const double reach = SAFE_WAYS * h * fastest_node(c);
+    c->outside = 0;
     if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h && ahead <= FARTHEST)) return 0;
     for (int32_t i = 0; i < m->n_rows && has_forces(c); i++)
         c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
+    const int rests = has_shares(c);
+    if (rests) add_shares(c, c->k.event_mu);
+    c->outside = has_closed(c) && is_outside(c);
+    if (c->outside || (rests && !forces_stand_still(c))) return 0;
     for (int32_t i = 0; i < m->n_contacts; i++) {
         x.rate[i] = NAN;
         if (is_closed(c, i)) {
             const double mean = -c->s.mean[row_of(c, m->contact_row[i])];
             x.value[i] = normal_of(c, i);
-            if (!(mean > 0.0 && x.value[i] > SAFE_NORMAL * mean)) return 0;
+            if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * mean)) return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
     }
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
@@ -116,7 +171,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
             x.value[k] = limit - friction_force(c, f, c->k.event_mu, NULL);
-            if (!(x.value[k] > SAFE_FRICTION * limit)) return 0;
+            if (!rests && !(x.value[k] > SAFE_FRICTION * limit)) return 0;
         } else if (mode == FRICTION_SLIDES && !is_smooth(c, f)) {
             x.value[k] = slip_along(c, f);
             x.rate[k] = (x.value[k] - low.value[k]) / h;
@@ -263,6 +318,10 @@ HM_SELDOM static int32_t change_modes(context *c)
             let_stick(c, f);
             const int32_t status = project_velocities(c, S_FRICTION);
             if (status) return status;
+            continue;
+        }
+        if (c->together && is_of_contact(c, f)) { /* new modes tell who slides */
+            c->gives_way = 1;
             continue;
         }
         friction_force(c, f, c->k.event_mu, along);

@@ -73,6 +73,7 @@ static void begin_choice(context *c, double h)
     const holonom_model *m = c->m;
     const double speed = 4.0 * h * fastest_node(c), fall = 3.0 * h * h * largest_acceleration(c);
     const double none = PENETRATION * c->number[m->extent_at];
+    forget_shares(c);
     memset(c->k.stop, 0, sizeof(double) * (size_t)m->n_rows);
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);

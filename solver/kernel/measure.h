@@ -154,10 +154,13 @@ static void measure_contacts(const context *c, const hm_measured *y)
     const holonom_model *m = c->m;
     const double *head = c->s.head;
     if (!is_unilateral(m)) return;
+    double *mu = c->k.event_mu;
+    memcpy(mu, y->multiplier, sizeof(double) * (size_t)m->n_rows);
+    add_shares(c, mu);
     quantities_at_state(c);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     for (int32_t i = 0; i < n_contacts(m); i++) {
-        const double *x = contact_of(c, i), *mu = y->multiplier;
+        const double *x = contact_of(c, i);
         const int32_t f = m->contact_friction[i], j = m->contact_row[i];
         const int slides = f >= 0 && friction_mode(c, f) == FRICTION_SLIDES;
         const int mode = !is_closed(c, i) ? CONTACT_OPEN : slides ? CONTACT_SLIDES : CONTACT_CLOSED;
@@ -167,13 +170,13 @@ static void measure_contacts(const context *c, const hm_measured *y)
     }
     for (int32_t f = 0; f < n_frictions(m); f++) {
         const int mode = friction_mode(c, f);
-        double force = friction_force(c, f, y->multiplier, NULL), slip = slip_of(c, f, NULL);
+        double force = friction_force(c, f, mu, NULL), slip = slip_of(c, f, NULL);
         if (n_slips(c, f) == 1) {
-            force = -y->multiplier[row_of(c, slip_row(c, f, 0))];
+            force = -mu[row_of(c, slip_row(c, f, 0))];
             slip = rate_of_row(c, slip_row(c, f, 0));
         }
         y->friction[3 * f] = mode == FRICTION_OFF ? 0.0 : force;
-        y->friction[3 * f + 1] = slip;
+        y->friction[3 * f + 1] = mode == FRICTION_STICKS ? 0.0 : slip;
         y->friction[3 * f + 2] = mode;
     }
     y->loss[0] = head[S_DISSIPATED], y->loss[1] = head[S_FRICTION], y->loss[2] = head[S_IMPACT];

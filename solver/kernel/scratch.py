@@ -87,6 +87,8 @@ WORK = {
     "hit_norms": "n_hit_forces",  # integers: whether each belongs to the norm of the one before
     "hit": "10 * n_hit_rows",  # seven vectors of numbers and six of integers, see map_hit
     "hit_scratch": "IMPACT_SCRATCH(n_hit_rows)",
+    "rest": "SPLIT_SCRATCH(n_hit_rows) * unilateral",  # see contact_split.h
+    "rest_modes": "n_state * unilateral",  # before contacts are opened there
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }
 # fmt: on

@@ -339,12 +339,15 @@ CONTACT = (
     "reference",  # gap at which it closed
     "parted",  # 1: the event at hand has opened it
     "impacts", "impulse",  # so far; their number, and the sum of their impulses [N s]
+    "shares",  # 1: it shares its force with others as rest_split.h tells, not as its row does
+    "shift",  # of its row's multiplier then
 )
 """Scalars of each contact in the section `contacts` of a state."""
 
 FRICTION = (
     "mode",  # `FRICTION_MODES`
     "along_1", "along_2", "along_3",  # unit direction of the slip
+    "shift_1", "shift_2", "shift_3",  # of its rows' multipliers, where its contact shares its force
 )
 """Scalars of each friction in the section `frictions` of a state."""
 

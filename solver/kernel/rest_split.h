@@ -1,0 +1,160 @@
+/* Forces of contacts at rest: the least ones inside Coulomb's cones that hold what they must hold together.
+
+       min |x|^2/2,     B x = g,     x_i in K_i = {|x_T| <= c_i x_N},
+
+   x = sqrt(weight) times the forces, B with independent rows. Contacts that hold the same thing twice have many splits; this one is
+   that of equally yielding feet, and knows no order of contacts. Its dual has as many unknowns as B has rows, and none of
+   them is bounded:
+
+       max_y  y.g - |P_K(B'y)|^2/2,     x = P_K(B'y),
+
+   with the projection P_K on the cones; solved by Newton's semismooth iteration. Without a split the dual grows without bound. */
+#ifndef HOLONOM_REST_SPLIT_H
+#define HOLONOM_REST_SPLIT_H
+
+#include "internal.h"
+
+#include <math.h>
+#include <stddef.h>
+
+typedef struct rest_split {
+    int32_t contacts, rows, rank;
+    const int32_t *first, *tangents; /* per contact: its normal force; forces of friction that follow it: 0 to 3        */
+    const double *coefficient;       /* per contact, >= 0                                                       */
+    const double *B, *g;             /* rank x rows, rank; |g| = 1                                              */
+    double *force;                   /* rows, overwritten: x                                                    */
+    double *dual, *way, *defect, *trial; /* rank each, overwritten                                                */
+    double *matrix;                  /* rank x rank, overwritten                                                */
+} rest_split;
+
+#define SPLIT_TOLERANCE 1e-13 /* of B x - g                                                                      */
+#define SPLIT_ACCEPTED 1e-11  /* likewise, where rounding allows no less                                          */
+#define SPLIT_UNBOUNDED 1e8   /* size of a dual that grows without bound                                          */
+
+enum { MOST_SPLIT_ITERATIONS = 200, MOST_IN_CONE = 4 };
+
+/* Projects n forces x on the cone |x_T| <= c x_N, in place; the derivative of that (n x n, overwritten) if wanted. */
+static void project_on_cone(int32_t n, double c, double *x, double *slope)
+{
+    double size2 = 0.0;
+    for (int32_t k = 1; k < n; k++) size2 += x[k] * x[k];
+    const double size = sqrt(size2);
+    const int is_inside = x[0] >= 0.0 && size <= c * x[0], is_polar = x[0] <= 0.0 && c * size <= -x[0];
+    for (int32_t k = 0; k < n * n && slope; k++) slope[k] = is_inside && k % (n + 1) == 0 ? 1.0 : 0.0;
+    if (is_inside) return;
+    if (is_polar) {
+        for (int32_t k = 0; k < n; k++) x[k] = 0.0;
+        return;
+    }
+    const double normal = (x[0] + c * size) / (1.0 + c * c);
+    double edge[MOST_IN_CONE] = {1.0, 0.0, 0.0, 0.0};
+    for (int32_t k = 1; k < n; k++) edge[k] = size > 0.0 ? c * x[k] / size : 0.0;
+    for (int32_t k = 0; k < n && slope; k++)
+        for (int32_t l = 0; l < n; l++) {
+            slope[n * k + l] = edge[k] * edge[l] / (1.0 + c * c);
+            if (k && l && size > 0.0) slope[n * k + l] += c * normal / size * ((k == l) - x[k] * x[l] / size2);
+        }
+    for (int32_t k = 0; k < n; k++) x[k] = normal * edge[k];
+}
+
+/* Forces of the dual y, B x - g in `defect`, and the value of the dual; with `hessian` also its negative second derivatives. */
+static double split_of_dual(const rest_split *s, double factor, const double *y, int hessian)
+{
+    double value = 0.0, slope[MOST_IN_CONE * MOST_IN_CONE];
+    for (int32_t k = 0; k < s->rank; k++) value += y[k] * s->g[k];
+    for (int32_t k = 0; k < s->rank; k++) s->defect[k] = -s->g[k];
+    for (int32_t k = 0; k < s->rank * s->rank && hessian; k++) s->matrix[k] = 0.0;
+    for (int32_t i = 0; i < s->contacts; i++) {
+        const int32_t first = s->first[i], n = 1 + s->tangents[i];
+        double *x = s->force + first;
+        for (int32_t l = 0; l < n; l++) {
+            x[l] = 0.0;
+            for (int32_t k = 0; k < s->rank; k++) x[l] += s->B[s->rows * k + first + l] * y[k];
+        }
+        project_on_cone(n, factor * s->coefficient[i], x, hessian ? slope : NULL);
+        for (int32_t l = 0; l < n; l++) {
+            value -= 0.5 * x[l] * x[l];
+            for (int32_t k = 0; k < s->rank; k++) s->defect[k] += s->B[s->rows * k + first + l] * x[l];
+        }
+        for (int32_t k = 0; k < s->rank && hessian; k++)
+            for (int32_t l = 0; l < n; l++) {
+                double sum = 0.0;
+                for (int32_t a = 0; a < n; a++) sum += s->B[s->rows * k + first + a] * slope[n * a + l];
+                for (int32_t j = 0; j <= k; j++) s->matrix[s->rank * k + j] += sum * s->B[s->rows * j + first + l];
+            }
+    }
+    return value;
+}
+
+/* Solves matrix x = b (both modified) with the matrix symmetric and positive definite, its lower part given. */
+static void solve_definite(int32_t n, double *matrix, double *b)
+{
+    for (int32_t k = 0; k < n; k++) {
+        for (int32_t j = 0; j <= k; j++) {
+            double sum = matrix[n * k + j];
+            for (int32_t a = 0; a < j; a++) sum -= matrix[n * k + a] * matrix[n * j + a];
+            matrix[n * k + j] = j < k ? sum / matrix[n * j + j] : sqrt(fmax(sum, 1e-300));
+        }
+        for (int32_t a = 0; a < k; a++) b[k] -= matrix[n * k + a] * b[a];
+        b[k] /= matrix[n * k + k];
+    }
+    for (int32_t k = n - 1; k >= 0; k--) {
+        for (int32_t a = k + 1; a < n; a++) b[k] -= matrix[n * a + k] * b[a];
+        b[k] /= matrix[n * k + k];
+    }
+}
+
+static double largest_of(int32_t n, const double *x)
+{
+    double largest = 0.0;
+    for (int32_t k = 0; k < n; k++) largest = fmax(largest, fabs(x[k]));
+    return largest;
+}
+
+/* Whether there is a split with coefficients times `factor`; then `force` is the least one. */
+static int has_split(const rest_split *s, double factor)
+{
+    double *y = s->dual;
+    for (int32_t k = 0; k < s->rank; k++) y[k] = s->g[k];
+    double value = split_of_dual(s, factor, y, 1);
+    for (int iteration = 0; iteration < MOST_SPLIT_ITERATIONS; iteration++) {
+        double size2 = 0.0, slope = 0.0, next = value, share = 1.0;
+        if (largest_of(s->rank, s->defect) < SPLIT_TOLERANCE) return 1;
+        for (int32_t k = 0; k < s->rank; k++) size2 += s->defect[k] * s->defect[k];
+        for (int32_t k = 0; k < s->rank; k++) {
+            s->way[k] = -s->defect[k];
+            s->matrix[s->rank * k + k] += 1e-14 + 1e-3 * fmin(1.0, size2);
+        }
+        solve_definite(s->rank, s->matrix, s->way);
+        for (int32_t k = 0; k < s->rank; k++) slope -= s->defect[k] * s->way[k];
+        for (; share > 1e-11; share *= 0.5) {
+            for (int32_t k = 0; k < s->rank; k++) s->trial[k] = y[k] + share * s->way[k];
+            next = split_of_dual(s, factor, s->trial, 0);
+            if (next >= value + 1e-4 * share * slope - 1e-16) break;
+        }
+        for (int32_t k = 0; k < s->rank; k++) y[k] = s->trial[k];
+        value = split_of_dual(s, factor, y, 1);
+        if (!(largest_of(s->rank, y) < SPLIT_UNBOUNDED && value < SPLIT_UNBOUNDED)) return 0;
+    }
+    return largest_of(s->rank, s->defect) < SPLIT_ACCEPTED;
+}
+
+#define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
+#define LOAD_ACCURACY 1e-12
+
+/* Least factor of all coefficients with which there is a split, or infinity. */
+static double load_factor(const rest_split *s)
+{
+    double low = 0.0, high = 1.0;
+    for (; !has_split(s, high); high *= 2.0)
+        if (high > LARGEST_LOAD) return INFINITY;
+        else low = high;
+    while (high - low > LOAD_ACCURACY * high) {
+        const double middle = 0.5 * (low + high);
+        if (has_split(s, middle)) high = middle;
+        else low = middle;
+    }
+    return high;
+}
+
+#endif
