@@ -15,14 +15,9 @@ from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
-    from solver.scene.settings import SolverSettings
 
 Ends: TypeAlias = tuple[PointReference, PointReference]
 
-SETTINGS = {
-    "start": ("drawn", "no static equilibrium is sought with contacts or friction of joints"),
-}
-"""Settings that contacts need, and why."""
 TOWARDS_THE_BODY = kind.Direction(
     text="normal of the plane, towards the body", example=[0, 0, 1], required=True
 )
@@ -326,16 +321,6 @@ class Stop(RubbingContact):
         elif given.radius is None:
             message = "'radius' is missing: the mean radius of the faces that rub"
             error(path, message, "write radius = ...")
-
-
-def check_settings(reader: "Reader", settings: "SolverSettings") -> None:
-    """Report settings that scenes with contacts or friction of joints cannot have."""
-    if not reader.known.touches:
-        return
-    for name, (needed, why) in SETTINGS.items():
-        if getattr(settings, name) not in (needed, BROKEN):
-            help = f"write {name} = {kind.shown(needed)}, or leave it out".replace("'", '"')
-            reader.draft.error(("solver", name), why, help)
 
 
 CONTACTS: dict[str, type[Part]] = {
