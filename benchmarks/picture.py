@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 OURS = "holonom"
-BLUES = ("#9ecae1", "#6baed6", "#2171b5", "#08306b", "cyan")
+BLUES = ("#9ecae1", "#6baed6", "#2171b5", "#08306b", "cyan", "darkviolet")
 """Of our curves, in their order."""
 OTHERS = (
-    "tab:orange", "tab:red", "tab:brown", "tab:green", "tab:olive", "tab:purple", "tab:pink",
+    "tab:orange", "tab:red", "tab:brown", "tab:green", "tab:olive", "tab:pink",
     "tab:gray", "goldenrod", "black", "teal", "salmon",
 )  # fmt: skip
 MARKERS = "sD^v<>pPX*h"

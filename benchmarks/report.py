@@ -135,7 +135,8 @@ METHOD = (
     "One thread. Times are CPU times of the process (user and system); each is the minimum of "
     "several repetitions of the same work in one run, entries that are compared taking turns. "
     "*Noise* is the median of the repetitions over their minimum. An *inner step* is one implicit "
-    "solve; a *pair* is two of them, of half the step each, and what the solver does by default."
+    "solve; a *pair* is two of them, of half the step each, and what equal steps of order 2 are "
+    "made of."
 )
 
 

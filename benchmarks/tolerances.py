@@ -18,7 +18,7 @@ import solver
 from benchmarks.effort import Effort
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.timing import Entry, interleave
-from benchmarks.work_precision_ours import STAGES
+from benchmarks.work_precision_ours import STAGES, STEPPED_BY
 from solver.runtime import Integrator, Model, StepError
 from tests.kernel_calls import kernel_of
 
@@ -45,6 +45,7 @@ DAMPED = ("spring_pendulum", "double_wishbone", "flyball_governor")
 
 COLUMNS = {
     "scene": "scene",
+    "method": "method",
     "tolerance": ("tolerance", ".0e"),
     "ratio": ("error/tolerance", ".2g"),
     "order": ("last order", "g"),
@@ -54,6 +55,7 @@ COLUMNS = {
 }
 PRICES = {
     "scene": "scene",
+    "method": "method",
     "error": ("error", ".1e"),
     "order": ("last order", "g"),
     "halves": ("half steps", "g"),
@@ -86,9 +88,12 @@ class Course:
         return float(max(of_q.max(), of_v.max()))
 
 
-def prepared(name: str, tolerance: float, stop: float) -> tuple[Model, Integrator, float]:
+def prepared(
+    name: str, method: str, tolerance: float, stop: float
+) -> tuple[Model, Integrator, float]:
     """A scene that is about to move for `stop` s, or as long as its experiment, if that is less."""
-    drawn = solver.load(SCENES / f"{name}.toml", {"solver.tolerance": tolerance})
+    asked = {"solver.tolerance": tolerance, "solver.method": method}
+    drawn = solver.load(SCENES / f"{name}.toml", asked)
     model = solver.assemble(drawn)
     start, end, *_ = model.experiment
     length = min(stop, end - start)
@@ -106,9 +111,9 @@ def move(integrator: Integrator, length: float, points: int = POINTS) -> Iterato
         yield integrator.state.head["substeps"]
 
 
-def course_of(name: str, tolerance: float, stop: float, *, each: int = 1) -> Course:
-    """Where a run of a scene is at its communication points; `each` times as many are taken."""
-    return course(*prepared(name, tolerance, stop), each=each)
+def course_of(name: str, method: str, tolerance: float, stop: float) -> Course:
+    """Where a run of a scene is at its communication points."""
+    return course(*prepared(name, method, tolerance, stop))
 
 
 def course(model: Model, integrator: Integrator, length: float, *, each: int = 1) -> Course:
@@ -163,10 +168,10 @@ def fewest_steps(
     return enough
 
 
-def price(name: str, stop: float, effort: Effort) -> dict[str, Value]:
+def price(name: str, method: str, stop: float, effort: Effort) -> dict[str, Value]:
     """What a tolerance costs beside the best fixed step that errs no more."""
-    exact, found = exact_course(name, stop), course_of(name, PRICED, stop)
-    _, integrator, length = prepared(name, PRICED, stop)
+    exact, found = exact_course(name, stop), course_of(name, method, PRICED, stop)
+    _, integrator, length = prepared(name, method, PRICED, stop)
     error, least = found.error(exact), math.inf
     halves: dict[str, int] = {}
     entries = {"run": _entry(integrator, length)}
@@ -178,7 +183,7 @@ def price(name: str, stop: float, effort: Effort) -> dict[str, Value]:
             halves[str(order)] = 2 * pairs * count
             least = min(halves.values())
     ms = {key: 1e3 * times.minimum for key, times in interleave(entries, effort).items()}
-    row: dict[str, Value] = {"scene": name, "error": error, "order": found.order}
+    row: dict[str, Value] = {"scene": name, "method": method, "error": error, "order": found.order}
     row |= {"halves": found.halves, "ms": ms["run"]}
     if not halves:
         return row
@@ -202,10 +207,12 @@ def measure(effort: Effort) -> Section:
     stop = max(0.01, STOP * effort.scale)
     names = [n for group in (SMOOTH, DAMPED) for n in (group if effort.steps > 2 else group[:1])]
     rows = [
-        row(n, tolerance, stop, effort) for n in names for tolerance in TOLERANCES[: effort.steps]
+        row(n, method, tolerance, stop, effort)
+        for n in names
+        for method in STEPPED_BY
+        for tolerance in TOLERANCES[: effort.steps]
     ]
-    prices = [price(n, stop, effort) for n in names]
-    dear = sum(isinstance(found := r.get("price"), float) and found > DEAR for r in prices)
+    prices = [price(n, method, stop, effort) for n in names for method in STEPPED_BY]
     return Section(
         name="tolerances",
         title="Error against the tolerance asked for",
@@ -213,10 +220,10 @@ def measure(effort: Effort) -> Section:
             f"Scenes over {stop:g} s or their own experiment, in ten communication steps, order "
             "and length of internal steps chosen. Error: the largest of places and rates at any "
             "of the points, in the mass norm over size and speed of the mechanism, against a run "
-            f"with {SHARPEST:.0e}. Price: a run with {PRICED:.0e} and, in turn with it, the fixed "
-            "steps of each order that err no more at any of the points, the fewest to 5 %; the "
-            "best of these. Fixed steps of a motion that comes back the way it went lose their "
-            "errors again, which steps of changing length do not."
+            f"with {SHARPEST:.0e} by the method fastest. Price: a run with {PRICED:.0e} and, in "
+            "turn with it, the fixed steps of each order that err no more at any of the points, "
+            "the fewest to 5 %; the best of these. Fixed steps of a motion that comes back the way "
+            "it went lose their errors again, which steps of changing length do not."
         ),
         tables=[
             Table(title="Tolerances", columns=COLUMNS, rows=rows),
@@ -224,27 +231,35 @@ def measure(effort: Effort) -> Section:
         ],
         goals=[
             Goal(
-                what=f"scenes whose tolerance costs more than {DEAR:g} times the best fixed step",
+                what=f"{method}: scenes whose tolerance costs more than {DEAR:g} times the best "
+                "fixed step",
                 unit="1",
                 goal=MOST_DEAR,
-                value=float(dear),
+                value=float(_dear(prices, method)),
             )
+            for method in STEPPED_BY
         ],
     )
+
+
+def _dear(prices: list[dict[str, Value]], method: str) -> int:
+    mine = [row.get("price") for row in prices if row["method"] == method]
+    return sum(isinstance(found, float) and found > DEAR for found in mine)
 
 
 @cache
 def exact_course(name: str, stop: float) -> Course:
     """What runs of a scene are compared with."""
-    return course_of(name, SHARPEST, stop)
+    return course_of(name, "fastest", SHARPEST, stop)
 
 
-def row(name: str, tolerance: float, stop: float, effort: Effort) -> dict[str, Value]:
+def row(name: str, method: str, tolerance: float, stop: float, effort: Effort) -> dict[str, Value]:
     """What a tolerance gives and costs."""
-    found = course_of(name, tolerance, stop)
-    times = interleave({"run": _entry(*prepared(name, tolerance, stop)[1:])}, effort)
+    found = course_of(name, method, tolerance, stop)
+    times = interleave({"run": _entry(*prepared(name, method, tolerance, stop)[1:])}, effort)
     return {
         "scene": name,
+        "method": method,
         "tolerance": tolerance,
         "ratio": found.error(exact_course(name, stop)) / tolerance,
         "order": found.order,

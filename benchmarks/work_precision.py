@@ -47,9 +47,9 @@ METHOD = (
     "references below. The energy error is the largest deviation from the energy at the start, "
     "looked at up to 50 times; where energy is fed or dissipated, it is that of the change over "
     "the whole run. Every code takes its numbers from `benchmarks/problems.py`. holonom solves the "
-    "mechanism as drawn, with its defaults (tolerance of 1e-12 in every step), "
-    "in pairs of half "
-    "steps (order 2) and their compositions. SciPy and CVODE solve equations in fewest "
+    "mechanism as drawn, each step solved to 1e-12: by its *conserving* method, which is the "
+    "default, in equal steps of an order or as a tolerance asks, and by *fastest*, which takes "
+    "explicit steps as well. SciPy and CVODE solve equations in fewest "
     "coordinates, reduced by hand and compiled from C, by tolerance; the others solve the "
     "mechanism built body by body, in processes of their own in the same run, with their own "
     "settings from coarse to fine. What is timed leads from an assembled model to the final state. "
@@ -63,7 +63,8 @@ REMARKS = (
     "A dash in the overview: not reached with any of the settings measured. A dash in the ratios: "
     "reached by no other multibody code (Exudyn, MuJoCo, Drake, Simbody, IDAS).",
     "Drake closes no loops in continuous time, and has the chains and the heavy top alone.",
-    "*holonom* in the overview is the best of its orders and of the choice by tolerance.",
+    "*holonom conserving* in the overview is the best of its orders and of the choice by "
+    "tolerance.",
     "SUNDIALS' CVODE comes with scikit-sundae, IDAS with CasADi: `assimulo` and "
     "`scikits-odes-sundials` have no wheels. Simbody comes with OpenSim, which has no damper "
     "between two points.",

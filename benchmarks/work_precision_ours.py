@@ -1,4 +1,4 @@
-"""holonom on the problems of the work-precision curves: its scenes, and each order as a method."""
+"""holonom on the problems of the work-precision curves: orders, and tolerances by each method."""
 
 from __future__ import annotations
 
@@ -28,6 +28,8 @@ except ImportError:  # Python 3.10
 Value = float | str | bool
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
 ORDERS = (2, 4, 6, 8)
+STEPPED_BY = ("conserving", "fastest")
+"""Values of the option `method`; equal steps are conserving."""
 STAGES = {2: 1, 4: 5, 6: 9, 8: 15}
 """Pairs of half steps in a step of each order."""
 
@@ -161,13 +163,13 @@ class Curve:
 
 
 def curves() -> list[Curve]:
-    """The orders, by numbers of steps, and the choice of order and steps by tolerance."""
-    return [*(_of_order(order) for order in ORDERS), _BY_TOLERANCE]
+    """Orders, by numbers of steps, and the choice of both by a tolerance, with each method."""
+    return [*(_of_order(order) for order in ORDERS), *map(_by_tolerance, STEPPED_BY)]
 
 
 def _of_order(order: int) -> Curve:
     return Curve(
-        name=f"holonom order {order}",
+        name=f"holonom conserving, order {order}",
         label="{:g} steps",
         values=lambda problem: steps(problem, order),
         settings=lambda problem, count: {"order": order, "step_size": problem.stop / count},
@@ -175,17 +177,19 @@ def _of_order(order: int) -> Curve:
     )
 
 
-_BY_TOLERANCE = Curve(
-    name="holonom by tolerance",
-    label="tolerance {:.0e}",
-    values=lambda _: [10.0**-k for k in range(1, 12)],
-    settings=lambda problem, tolerance: {
-        "tolerance": tolerance,
-        "order": 0,
-        "longest_step": problem.stop,
-    },
-    solves=lambda _: math.inf,
-)
+def _by_tolerance(method: str) -> Curve:
+    return Curve(
+        name=f"holonom {method}, tolerance",
+        label="tolerance {:.0e}",
+        values=lambda _: [10.0**-k for k in range(1, 12)],
+        settings=lambda problem, tolerance: {
+            "tolerance": tolerance,
+            "order": 0,
+            "method": method,
+            "longest_step": problem.stop,
+        },
+        solves=lambda _: math.inf,
+    )
 
 
 class _Runs:

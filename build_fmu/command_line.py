@@ -281,7 +281,8 @@ def _add_run(command: argparse.ArgumentParser, *, inputs: bool = False) -> None:
     _add_report(command)
     text = "(default: that of the scene)"
     command.add_argument("--stop", type=float, metavar="TIME", help=f"stop time in s {text}")
-    command.add_argument("--step", type=float, metavar="SIZE", help=f"step in s {text}")
+    help = f"communication step in s {text}"
+    command.add_argument("--step", type=float, metavar="SIZE", help=help)
     _add_settings(command, "set a parameter or input (of a scene: any number of it)")
     if inputs:
         text = "CSV file of inputs over time: a column 'time' and one for each input"

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import sysconfig
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from build_fmu.payload import package_folder
 from build_fmu.report import as_text
 from build_fmu.study.values import counted
-from solver.options import TINY, step_of, tolerance_of
+from solver.options import TINY, tolerance_of
+from solver.runtime import Integrator
 
 if TYPE_CHECKING:
     from build_fmu.package import Package
@@ -39,9 +40,8 @@ img {{ float: right; margin: 0 0 1em 1em; border: 1px solid #8886; max-width: 10
 <h1>{name}</h1>
 <img src="../{picture}" alt="the mechanism as drawn" width="480" height="360">
 <p>{description}</p>
-<p>An FMI {fmi}.0 co-simulation unit. It advances the mechanism with a conserving
-augmented-Lagrangian method; its outputs <code>energy.error</code> and
-<code>constraint.position</code> say how well energy and constraints are kept, and
+<p>An FMI {fmi}.0 co-simulation unit. Its steps conserve energy and constraints on positions up to
+round-off; its outputs <code>energy.error</code> and <code>constraint.position</code> show it, and
 <code>solver.status</code> is 0 as long as every communication
 step succeeded. Where it is not 0 the last step was not taken and the log has the reason.</p>
 <p>Default experiment: {experiment}.</p>
@@ -130,26 +130,14 @@ def _section(variable: Variable) -> str:
     return _SETTINGS if variable.kind == "option" else variable.causality
 
 
-def steps_of(settings: Mapping[str, Any], is_explicit: bool) -> str:
-    """What steps these settings choose; `is_explicit` says whether some of them may be."""
-    if tolerance := tolerance_of(settings):
-        kind = "explicit and conserving" if is_explicit else "conserving"
-        return f"{kind} steps, chosen for a relative error of the run of {tolerance:g}"
-    is_stepped = settings.get("contact_mode") == "stepped"
-    order = 2.0 if is_stepped else float(settings["order"]) or 2.0
-    text = f"conserving steps of order {order:g}, of at most {step_of(settings):g} s"
-    ignored = ": contact_mode stepped takes equal steps, whatever the tolerance"
-    return f"{text}{ignored if is_stepped and settings['tolerance'] else ''}"
-
-
 def solved(model: Model, seen: SelfCheck) -> str:
     """Sentences on size and method."""
-    sizes, settings = model.sizes, model.settings
+    sizes, steps = model.sizes, Integrator(model).steps(seen.is_explicit)
     coordinates = counted(sizes["dim"] * sizes["n_free"], "coordinate")
     islands = sizes["n_islands"]
     apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
     rows = counted(sizes["n_rows"], "constraint row")
-    return f"{coordinates} and {rows}{apart}, solved in {steps_of(settings, seen.is_explicit)}."
+    return f"{coordinates} and {rows}{apart}, solved in {steps}."
 
 
 def accuracy(model: Model, seen: SelfCheck) -> str:

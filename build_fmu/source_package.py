@@ -39,6 +39,7 @@ _UNIT = """/* All of this FMU, as one unit: compile this file alone. */
 #endif
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic error "-Wimplicit-function-declaration"
 #endif
 {files}"""
 _FILE = """#if defined(__GNUC__) && !defined(__clang__)

@@ -41,6 +41,8 @@ FLAGS = (
     "-fno-tree-vectorize",
     *("-ffunction-sections", "-fdata-sections"),
     *("-Wall", "-Wextra", "-Wpedantic"),  # the Makefile's lint makes errors of warnings
+    # A function that no header declares would take and return integers.
+    "-Werror=implicit-function-declaration",
 )
 KERNELS = Path("build/kernels")
 """Python's kernels, below the names of their platforms, from which a wheel takes its own."""

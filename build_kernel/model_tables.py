@@ -111,6 +111,10 @@ def _structures(layout: Declared, scratch: Declared, options: Values) -> Iterato
         yield f"#define HOLONOM_{name} {values[name]}\n"
     for name in ("USUAL_STEP", "USUAL_TOLERANCE", "LEAST_TOLERANCE"):
         yield f"#define HOLONOM_{name} {options[name]}\n"
+    for what, formula in options["CHOSEN"].items():
+        usual = re.sub(r"\busual_\w+", lambda match: f"HOLONOM_{match[0].upper()}", formula)
+        in_c = re.sub(r"\b[a-z]\w*", lambda match: f"(head)[S_{match[0].upper()}]", usual)
+        yield f"#define HOLONOM_CHOSEN_{what.upper()}(head) ({in_c})\n"
     yield _structure("holonom_elimination", _tables(layout, "ELIMINATION"))
     yield _structure("holonom_model", [
         *(_noted(f"int32_t {name};", layout.note("SIZES", name)) for name in values["SIZES"]),

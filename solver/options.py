@@ -47,6 +47,7 @@ class Option:
     whole: bool = False  # whether a number counts something
     place: str = ""  # scalar of the state's head that holds it; empty: of the same name
     of_contacts: bool = False  # whether only scenes with contacts or friction have it
+    of_tolerance: bool = False  # whether only steps that a tolerance chooses follow it
 
     @property
     def is_switch(self) -> bool:
@@ -117,10 +118,11 @@ _TABLE = (
     Option("method", "conserving",
            "steps of a run with a tolerance: conserving half steps alone, or explicit ones as well "
            "wherever they are possible (fastest)",
-           words=("conserving", "fastest")),
+           words=("conserving", "fastest"), of_tolerance=True),
     Option("absolute_tolerance", 0.0, "allowed absolute error, added to the relative one",
-           low=0.0, high=1e6, unit="m"),
-    Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s"),
+           low=0.0, high=1e6, unit="m", of_tolerance=True),
+    Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s",
+           of_tolerance=True),
     Option("assemble", False,
            "close a mechanism that is drawn inexactly, and make its velocities consistent"),
     Option("start", "drawn", "begin as drawn, or at rest in the static equilibrium next to it",
@@ -174,14 +176,31 @@ def removed(name: object) -> str:
 DEFAULTS = {name: option.default for name, option in OPTIONS.items()}
 
 
+CHOSEN = {
+    # Equal steps where contacts are stepped, or a step or order is given without a tolerance.
+    "tolerance": "(contact_mode == 0) * "
+    "(tolerance + usual_tolerance * (step_size + order + tolerance == 0))",
+    "step": "step_size + usual_step * (step_size == 0)",
+}
+"""What settings choose: tolerance, or 0 for equal steps, and the longest of these [s].
+
+Formulas of settings as a state has them, in Python and C.
+"""
+
+
+def _chosen(what: str, settings: Mapping[str, Any]) -> float:
+    known = {"usual_tolerance": USUAL_TOLERANCE, "usual_step": USUAL_STEP}
+    for name, option in OPTIONS.items():
+        value = settings.get(name, option.default)
+        known[name] = option.words.index(value) if option.words else value
+    return float(eval(CHOSEN[what], {}, known))
+
+
 def tolerance_of(settings: Mapping[str, Any]) -> float:
     """Tolerance that settings choose, or 0: equal steps of `step_of` them."""
-    if settings.get("contact_mode") == "stepped":
-        return 0.0
-    is_open = not (settings["step_size"] or settings["order"] or settings["tolerance"])
-    return USUAL_TOLERANCE if is_open else float(settings["tolerance"])
+    return _chosen("tolerance", settings)
 
 
 def step_of(settings: Mapping[str, Any]) -> float:
     """Length of equal steps that settings choose, at most the communication step [s]."""
-    return float(settings["step_size"]) or USUAL_STEP
+    return _chosen("step", settings)

@@ -177,8 +177,8 @@ def simulate(
     mechanism : Scene, Model or path of a scene
         What to move.
     stop_time, step_size : float, optional
-        End of the run and communication step [s]; the scene's own where left out. The internal
-        step is the setting ``step_size`` of the scene's solver, unless there is a ``tolerance``.
+        End of the run and communication step [s]; the scene's own where left out. Internal steps
+        are those that the settings of the solver choose: without any, for a tolerance of 1e-4.
     parameters : mapping of str to float, optional
         Values by name, kept for the whole run.
     inputs : mapping, optional

@@ -130,9 +130,10 @@ class Instance:
     def _hear_of_fmi3(self, _environment, status, category, message) -> None:
         self.log.append((status, category.decode(), message.decode()))
 
-    def initialise(self, start=0.0, stop=None, **values) -> None:
+    def initialise(self, start=0.0, stop=None, tolerance=None, **values) -> None:
         """Set values and go through the initialization mode."""
-        self.fmu.setupExperiment(startTime=start, stopTime=stop)
+        asked = {} if tolerance is None else {"tolerance": tolerance}  # FMU3Run takes none
+        self.fmu.setupExperiment(startTime=start, stopTime=stop, **asked)
         self.set(**values)
         self.fmu.enterInitializationMode()
         self.fmu.exitInitializationMode()

@@ -8,7 +8,6 @@ from dataclasses import asdict
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from build_fmu.documentation import steps_of
 from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
 from build_fmu.errors import UsageError
 from build_fmu.motion import LOSSES
@@ -17,6 +16,7 @@ from build_fmu.platforms import library_scope, library_word
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
+from solver.runtime import Integrator
 from solver.runtime.layout import LEAST_WITH_JOINT
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
         "prescribed_motions": counts.drivers,
         "velocity_rows": len(of_velocities),
         "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
-        "steps": steps_of(model.settings, model.settings["method"] == "fastest"),
+        "steps": Integrator(model).steps(),
         "step": _step(model, bool(counts.redundant_rows)),
         "experiment": model.experiment._asdict(),
         "variables": [

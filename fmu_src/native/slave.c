@@ -183,7 +183,7 @@ slave_answer slave_end_initialization(slave *s)
     if (answer) return answer;
     holonom_begin(s->instance);
     s->memory.phase = STEPPING;
-    return ANSWER_OK;
+    return slave_tell(s, ANSWER_OK, "solver: %s", holonom_steps(s->instance, 1));
 }
 
 slave_answer slave_terminate(slave *s)

@@ -125,7 +125,16 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
         slope[i] = slope_at_start(c, i, step);
         if (m->input_course[i] == INPUT_SMOOTH) bend_input(c, i, step);
     }
-    return changed && m->n_signals ? jump_with_signals(c) : HOLONOM_OK;
+    return changed ? jump_with_signals(c, c->t) : HOLONOM_OK;
+}
+
+HM_SELDOM int32_t holonom_may_be_explicit(const holonom_model *m, double *number, double *state, double *work)
+{
+    context c;
+    open_context(&c, m, number, state, work);
+    const double *head = c.s.head;
+    const int order = (int)head[S_ORDER];
+    return head[S_METHOD] != 0.0 && hm_tolerance(head) > 0.0 && (!order || is_explicit_order(order)) && allows_explicit(&c);
 }
 
 int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step,
@@ -135,6 +144,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     open_context(&c, m, number, state, work);
     c.watch = watch;
     c.mesh = mesh;
+    c.pause = 1e-9 * step;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */
@@ -148,16 +158,18 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (m->n_inputs) settle_sides(&c, start, 1); /* slopes tell where inputs go */
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = head[S_SWITCHED] = 0.0;
+    head[S_JAMS] = head[S_NEWTON_IMPACTS] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));
     }
+    if (!status && c.tolerance > 0.0) follow_jumps(&c);
     if (repeated_by(&c)) status = status ? status : cover_by_mesh(&c, start, step);
     else if (is_unilateral(m) && may_step_over(status)) {
         undo_piece(&c, start, c.number[m->time_at]);
         status = step_over(&c, status, start, 0.0, step);
     } else if (!status && is_stepped(&c)) status = cover_stepped(&c, start, 0.0, step);
-    else if (!status) status = (hm_tolerance(head) > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
+    else if (!status) status = (c.tolerance > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && m->switching) status = end_at_switch(&c, start + step, step);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
@@ -175,7 +187,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         return status;
     }
     end_inputs(&c, step);
-    if (!(hm_tolerance(head) > 0.0)) head[S_EQUAL_TIME] += step;
+    if (!(c.tolerance > 0.0)) head[S_EQUAL_TIME] += step;
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
     head[S_AT_FAULT] = 0.0;

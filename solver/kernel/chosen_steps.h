@@ -1,4 +1,4 @@
-/* Which steps the settings of a run choose; solver/options.py has the same for pages and checks. */
+/* Which steps the settings of a run choose, by the formulas of solver/options.py. */
 #ifndef HOLONOM_CHOSEN_STEPS_H
 #define HOLONOM_CHOSEN_STEPS_H
 
@@ -8,16 +8,11 @@
    equal steps into others: many importers pass one that nobody chose. */
 static inline double hm_tolerance(const double *head)
 {
-    if (head[S_CONTACT_MODE] != 0.0) return 0.0; /* stepped */
-    const int is_open = head[S_STEP_SIZE] == 0.0 && head[S_ORDER] == 0.0 && head[S_TOLERANCE] == 0.0;
-    const double own = is_open ? HOLONOM_USUAL_TOLERANCE : head[S_TOLERANCE], host = head[S_HOST_TOLERANCE];
+    const double own = HOLONOM_CHOSEN_TOLERANCE(head), host = head[S_HOST_TOLERANCE];
     return host > 0.0 ? fmin(own, host) : own;
 }
 
 /* Longest of equal steps [s]. */
-static inline double hm_step_size(const double *head)
-{
-    return head[S_STEP_SIZE] > 0.0 ? head[S_STEP_SIZE] : HOLONOM_USUAL_STEP;
-}
+static inline double hm_step_size(const double *head) { return HOLONOM_CHOSEN_STEP(head); }
 
 #endif

@@ -35,7 +35,7 @@ HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const doub
         const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
         const int32_t *node = m->composite_node + m->composite_node_ptr[j], *end = m->composite_node + m->composite_node_ptr[j + 1];
         composite_result result = {0.0, 0.0, 0.0};
-        const int32_t status = composite_slopes(c, j, 1, &result);
+        const int32_t status = composite_slopes(c, j, WITH_ENDS, &result);
         if (status) return status;
         const int32_t size = local_gradients(c, j);
         for (int32_t at = 0, next = 0; node < end; node++) { /* each unknown once */

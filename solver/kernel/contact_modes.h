@@ -1,7 +1,6 @@
 /* Modes from the present state alone: which contacts are closed, and which frictions stick.
 
-   Where changes one by one find none, the law of impact does: accelerations of contacts at rest obey what velocities obey
-   after an impact without restitution.                                                                           */
+   Where changes one by one find none, the solver of contact_solver.h does.                                                                           */
 #ifndef HOLONOM_CONTACT_MODES_H
 #define HOLONOM_CONTACT_MODES_H
 
@@ -20,8 +19,7 @@ static int32_t add_push(const context *c, int32_t i, double factor)
     return status;
 }
 
-/* The accelerations of contacts at rest obey the law that velocities obey after an impact without restitution, with
-   forces for impulses: guesses all modes at once by it.                                                         */
+/* Guesses all modes at once: accelerations of contacts at rest, with forces for impulses, obey what contact_solver.h solves. */
 static int32_t guess_by_law(context *c)
 {
     const holonom_model *m = c->m;
@@ -55,18 +53,25 @@ static int32_t guess_by_law(context *c)
             velocities_of_impulses(c, c->k.hit_reach + n * r);
         }
     if (!status) status = fill_matrix(c, &x);
-    if (!status && hm_solve_impact(&x.law)) status = HOLONOM_CONTACT_UNDECIDED;
     if (status) return status;
+    int32_t *slides = (int32_t *)(void *)c->k.hit_reach; /* done with; none slides */
+    double *way = x.law.after;
+    contact_problem law = {.contacts = x.law.contacts, .rows = rows, .first = x.first, .tangents = x.tangents, .coefficient = x.coefficient,
+                           .slides = slides, .way = way, .W = x.W, .b = x.before, .p = x.law.impulse, .rate = x.law.compression,
+                           .scratch = c->k.hit_scratch};
+    memset(slides, 0, sizeof(int32_t) * (size_t)law.contacts);
+    memset(way, 0, sizeof(double) * (size_t)rows);
+    if (hm_solve_contacts(&law, LEAST_WORK)) return HOLONOM_CONTACT_UNDECIDED;
     evaluate_state(c);
-    for (int32_t k = 0; k < x.law.contacts; k++) {
-        const int32_t i = x.contact[k], f = m->contact_friction[i], t = x.law.first[k] + 1, slips = x.law.tangents[k];
-        if (x.law.status[k] == IMPACT_PARTED) continue;
+    for (int32_t k = 0; k < law.contacts; k++) {
+        const int32_t i = x.contact[k], f = m->contact_friction[i], t = x.first[k] + 1, slips = x.tangents[k];
+        if (!(law.p[t - 1] > 0.0)) continue;
         close_contact(c, i);
         if (f < 0 || slips == 0 || friction_mode(c, f) == FRICTION_OFF) continue;
-        const double force = impact_length(slips, x.law.impulse + t);
+        const double force = hm_length(slips, law.p + t);
         double along[3] = {0.0, 0.0, 0.0};
-        for (int32_t a = 0; a < slips && force > 0.0; a++) along[a] = -x.law.impulse[t + a] / force;
-        if (x.law.status[k] == IMPACT_CLOSED && force > 0.0) let_slide(c, f, along);
+        for (int32_t a = 0; a < slips && force > 0.0; a++) along[a] = -law.p[t + a] / force;
+        if (force > x.coefficient[k] * law.p[t - 1] * (1.0 - FITS)) let_slide(c, f, along);
         else let_stick(c, f);
     }
     return HOLONOM_OK;

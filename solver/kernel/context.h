@@ -23,6 +23,7 @@ typedef struct context {
     hm_state s;
     hm_work k;
     int64_t state_size;
+    double tolerance;   /* of the run, or 0 for equal steps */
     double h, t;
     double start;       /* of the communication step, for inputs that move                                    */
     int32_t n_moving;
@@ -39,6 +40,7 @@ typedef struct context {
     enum way way;       /* how the last internal step was taken                                                    */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
+    int soft;           /* whether the tangent leaves out how forces of sliding frictions turn with the place          */
     int reads;          /* whether laws read the increment that is solved for, see inputs_signals.h          */
     int foretells;      /* whether they read a prediction of it, since it had no solution                           */
     int32_t n_secants;  /* pairs of increments and what they changed, at this length with these factors, see secants.h */
@@ -76,6 +78,9 @@ typedef struct context {
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
     double stop;        /* next time at which a switch changes, infinite without one; NaN: not known            */
+    double pause;       /* time after which a switch that changes again does not go forth and back without end  */
+    double switched;    /* when switches last changed, and how often in turn without a pause                   */
+    int quick;
     holonom_watch *watch; /* who may end the start or the step, or NULL                                           */
     holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL                                    */
 } context;
@@ -214,6 +219,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->t = c->start = c->s.head[S_TIME];
     c->watch = NULL;
     c->mesh = NULL;
+    c->tolerance = hm_tolerance(c->s.head);
     c->h = 0.0;
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
@@ -223,11 +229,12 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->free_part = c->growth = 1.0;
     c->shorter = 0.5;
     c->stop = NAN;
+    c->pause = 0.0, c->switched = -INFINITY, c->quick = 0;
     if (m->switching) c->k.watched[0] = INFINITY, c->k.watched[1] = -INFINITY;
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->divided = c->sliding = c->stepping = c->reads = c->foretells = c->n_secants = c->has_last = c->lagged = 0;
+    c->at_fault = c->divided = c->sliding = c->soft = c->stepping = c->reads = c->foretells = c->n_secants = c->has_last = c->lagged = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);

@@ -117,7 +117,7 @@ static void begin_control(context *c)
     /* Pairs may be of any length: springs are looked at again where other steps come up. */
     const int are_pairs = head[S_ORDER_IN_USE] == 2.0 && head[S_EXPLICIT] == 0.0;
     if (may_be_explicit && !ends_explicitly(c) && !are_pairs) find_longest(c);
-    const double eighth = is_new && rate > 0.0 ? 0.5 * hm_pow(hm_tolerance(head), 1.0 / 9.0) / rate : 0.0;
+    const double eighth = is_new && rate > 0.0 ? 0.5 * hm_pow(c->tolerance, 1.0 / 9.0) / rate : 0.0;
     const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
     if (!takes_explicit(c) || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
     else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
@@ -127,7 +127,7 @@ static void begin_control(context *c)
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
-    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(hm_tolerance(head), 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+    const double turned = (c->damped ? 0.25 : 0.5) * hm_pow(c->tolerance, 1.0 / (head[S_ORDER_IN_USE] + 1.0));
     head[S_WANTED] = rate > 0.0 ? turned / rate : INFINITY;
 }
 
@@ -172,104 +172,96 @@ HM_SELDOM static void bound_across(context *c)
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
 }
 
-/* Lets what drivers hold follow signals that have jumped since the last communication step, at once: steps of any length would throw
-   it about as much faster as they are shorter. The work is what energies ask for. Where rows cannot follow, all stays as it is. */
-HM_SELDOM static void follow_jumps(context *c)
+/* Whether so many half steps more would be too many in a communication step; `calm` ones were made before the present moment. */
+static int are_too_many(double made, double more, double *calm, int32_t failed)
 {
-    int jumps = 0, held = 1;
-    signals_at(c, c->t, c->k.signal1);
-    for (int32_t b = 0; b < c->m->n_signals; b++)
-        jumps |= has_another_value(c->k.signal1[b], c->s.signal[b]);
-    if (!jumps) return;
-    context at = rows_at_state(c);
-    double *before = c->k.whole_backup;
-    keep_state(c, before);
-    keep_motion(c, 0.0);
-    follow_drivers(c);
-    take_unknowns(&at);
-    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
-    /* Velocities of a body that has turned far want factors of where it is now. */
-    const int is_placed = !held && !factorise_here(&at);
-    if (is_placed) keep_motion(c, 0.0); /* what went before is booked */
-    if (!is_placed || !put_velocities_back(c, &at)) take_state(c, before);
-    else follow_turns(c);
-    c->s.head[S_MEAN_TIME] = INFINITY;
-    forget_halves(c);
+    if (made + more < MOST_HALF_STEPS) *calm = made;
+    return !(made + (!failed && made - *calm < MOMENT ? 0.0 : more) < MOST_HALF_STEPS);
+}
+
+/* Takes a piece in a communication step of length `step`; 1 if it is to be repeated with shorter ones. */
+static int try_piece(context *c, piece *x, double step)
+{
+    double *head = c->s.head;
+    const int is_brief = is_unilateral(c->m) && is_short(c, x->length);
+    if (is_unilateral(c->m) && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, x->length); /* as impacts have left it */
+    begin_watched(c, x->length);
+    if (is_unilateral(c->m)) keep_start(c);
+    x->take = is_brief ? short_piece : internal_step;
+    x->status = x->take(c, x->length);
+    const int is_judged = !x->status && !is_brief;
+    if (is_judged && judge_step(c, x->length, step)) return 1;
+    if (find_switch(c, x)) return 1;
+    return !is_judged && !is_brief && x->length > 0.0 && judge_step(c, x->length, step);
+}
+
+/* Goes back to the start of a piece that was tried in vain; the next one is shorter. */
+static void repeat_shorter(context *c, const piece *x, double law_time)
+{
+    double *head = c->s.head;
+    const double wanted = x->status ? c->shorter * x->length : head[S_WANTED];
+    undo_step(c, x->t, law_time);
+    head[S_WANTED] = wanted;
+    if (!x->status) return;
+    lower_penalties(c);
+    if (!known_misses(c)) return;
+    forget_halves(c); /* Newton's iteration may only have begun too far away */
+    head[S_WANTED] = x->length;
+}
+
+/* Ends a piece at its first event, at most; `covered` is its length then. Where that fails so that shorter steps may help, or stepped
+   contacts, it is undone. */
+static int32_t end_at_event(context *c, const piece *x, double law_time, double *covered)
+{
+    *covered = x->length;
+    if (!is_unilateral(c->m) || (x->crossed && !(x->length > 0.0))) return HOLONOM_OK;
+    const int32_t status = end_piece(c, x->t, law_time, x->length, covered);
+    if (may_step_over(status)) undo_piece(c, x->t, law_time);
+    return status;
 }
 
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
 HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double step)
 {
-    double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0; /* half steps before those of the present moment */
-    int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
+    double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0, covered;
+    int32_t status, failed = HOLONOM_OK; /* why the last step could not be solved */
     int repeats = 0;
-    c->t = start;
-    if (c->m->n_signals) follow_jumps(c);
     begin_control(c);
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;
-        const double rest = step - done;
-        const double n = steps_over(c, rest, longest_next(c, rest));
+        const double rest = step - done, n = steps_over(c, rest, longest_next(c, rest)), whole = rest / n;
         const double law_time = c->number[c->m->time_at];
-        double h = rest / n;
-        const double whole = h;
-        const double foretold = n * c->halves;
-        if (half_steps + foretold < MOST_HALF_STEPS) calm = half_steps;
-        const double ahead = !failed && half_steps - calm < MOMENT ? 0.0 : foretold;
-        c->t = start + done;
-        if (!(half_steps + ahead < MOST_HALF_STEPS)) {
+        piece x = {.t = start + done, .length = whole};
+        c->t = x.t;
+        if (are_too_many(half_steps, n * c->halves, &calm, failed)) {
             if (is_unilateral(c->m) && may_step_over(failed)) return step_over(c, failed, start, done, step);
             return failed ? failed : HOLONOM_STEP_COLLAPSED;
         }
         c->unweighted = 0;
         c->shorter = 0.5;
         c->damped = is_dissipative(c);
-        int32_t status = is_unilateral(c->m) ? stop_before(c, &h) : HOLONOM_OK;
+        status = is_unilateral(c->m) ? stop_before(c, &x.length) : HOLONOM_OK;
+        if (!status) status = stop_at_switch(c, &x, rest, step);
         if (status) return status;
-        int stops, crossed;
-        status = stop_at_switch(c, c->t, rest, step, &h, &stops);
-        if (status) return status;
-        begin_watched(c, h);
-        if (is_unilateral(c->m) && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, h); /* as impacts have left it */
-        if (is_unilateral(c->m)) keep_start(c);
-        const int tiny = is_unilateral(c->m) && is_short(c, h);
-        const step_function take = tiny ? short_piece : internal_step;
-        status = take(c, h);
-        int rejected = status ? 1 : tiny ? 0 : judge_step(c, h, step);
-        if (!rejected || status) {
-            const int is_unjudged = status && !tiny;
-            status = find_switch(c, take, start + done, &h, status, &crossed);
-            rejected = status || (is_unjudged && h > 0.0 && judge_step(c, h, step));
-        }
+        const int rejected = try_piece(c, &x, step);
         half_steps += c->halves;
-        failed = status;
+        failed = x.status;
         if (rejected) {
-            const double wanted = status ? c->shorter * h : head[S_WANTED];
-            if (++repeats > MAX_REPEATS) return status ? status : HOLONOM_STEP_COLLAPSED;
-            undo_step(c, start + done, law_time);
-            head[S_WANTED] = wanted;
-            if (status) lower_penalties(c);
-            if (status && known_misses(c)) { /* Newton's iteration may only have begun too far away */
-                forget_halves(c);
-                head[S_WANTED] = h;
-            }
+            if (++repeats > MAX_REPEATS) return failed ? failed : HOLONOM_STEP_COLLAPSED;
+            repeat_shorter(c, &x, law_time);
             continue;
         }
         repeats = 0;
         bound_across(c);
-        if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
-        double covered = h;
-        if (is_unilateral(c->m) && (h > 0.0 || !crossed) && (status = end_piece(c, start + done, law_time, h, &covered))) {
+        if (x.length < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
+        if ((status = end_at_event(c, &x, law_time, &covered))) {
             if (!may_step_over(status)) return status;
-            undo_piece(c, start + done, law_time);
-            head[S_WANTED] = 0.5 * h;
-            if (is_to_be_cut(c, status, h)) continue;
-            return step_over(c, status, start, done, step);
+            head[S_WANTED] = 0.5 * x.length;
+            if (!is_to_be_cut(c, status, x.length)) return step_over(c, status, start, done, step);
+            continue;
         }
-        if (crossed && covered == h && (status = pass_motion(c))) return status;
+        if (covered == x.length && (status = pass_switch(c, &x))) return status;
         done = covered == rest ? step : done + covered;
-        if (stops && !crossed && covered == h) status = pass_time(c, c->stop);
-        if (status) return status;
         follow_energies(c);
     }
     return HOLONOM_OK;
@@ -279,37 +271,28 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
    than a thousandth of it belongs to the next one, since round-off of rows enters velocities over the length.   */
 static int32_t cover_between_events(context *c, double start, double step, double h)
 {
-    double done = 0.0, cut = INFINITY;
+    double *head = c->s.head, done = 0.0, cut = INFINITY, covered;
     int cuts = 0, stalls = 0;
     while (done < step) {
         const double law_time = c->number[c->m->time_at], grid = (floor(done / h + SLIVER) + 1.0) * h;
-        const double next = grid > step - SLIVER * h ? step : grid;
-        double length = fmin(next - done, cut), covered;
-        int stops = 0, crossed = 0;
-        c->t = start + done;
-        c->unweighted = 0;
-        int32_t status = stop_before(c, &length);
-        const double order = c->s.head[S_ORDER_IN_USE];
-        if (!status && begins_to_slide(c, &length)) c->s.head[S_ORDER_IN_USE] = 2.0;
-        covered = length;
-        if (!status) status = stop_at_switch(c, c->t, step - done, step, &length, &stops);
-        if (!status) {
-            begin_watched(c, length);
-            status = find_switch(c, step_piece, c->t, &length, step_piece(c, length), &crossed);
-        }
-        covered = length;
-        if (!status && (length > 0.0 || !crossed)) status = end_piece(c, start + done, law_time, length, &covered);
-        if (status && may_step_over(status)) undo_piece(c, start + done, law_time);
-        c->s.head[S_ORDER_IN_USE] = order;
+        const double next = grid > step - SLIVER * h ? step : grid, order = head[S_ORDER_IN_USE];
+        piece x = {.t = start + done, .length = fmin(next - done, cut), .take = step_piece};
+        c->t = x.t;
+        int32_t status = stop_before(c, &x.length);
+        if (!status && begins_to_slide(c, &x.length)) head[S_ORDER_IN_USE] = 2.0;
+        if (!status) status = stop_at_switch(c, &x, step - done, step);
+        if (!status) status = take_to_switch(c, &x);
+        if (may_step_over(status)) undo_piece(c, x.t, law_time);
+        else if (!status) status = end_at_event(c, &x, law_time, &covered);
+        head[S_ORDER_IN_USE] = order;
         if (status) {
             if (!may_step_over(status)) return status;
-            cut = 0.5 * length;
-            if (is_to_be_cut(c, status, length) && cuts++ < MOST_CUTS) continue;
+            cut = 0.5 * x.length;
+            if (is_to_be_cut(c, status, x.length) && cuts++ < MOST_CUTS) continue;
             return step_over(c, status, start, done, step);
         }
         cut = INFINITY;
-        if (crossed && covered == length && (status = pass_motion(c))) return status;
-        if (stops && !crossed && covered == length && (status = pass_time(c, c->stop))) return status;
+        if (covered == x.length && (status = pass_switch(c, &x))) return status;
         follow_coarseness(c, h);
         const double before = done;
         done = covered == next - done ? next : done + covered;
@@ -326,19 +309,13 @@ HM_SELDOM static int32_t cover_between_switches(context *c, double start, double
 {
     double done = 0.0;
     while (done < h) {
-        double length = h - done;
-        int stops, crossed;
-        c->t = start + done;
-        c->unweighted = 0;
-        int32_t status = stop_at_switch(c, c->t, h - done, step, &length, &stops);
+        piece x = {.t = start + done, .length = h - done, .take = undivided_step};
+        c->t = x.t;
+        int32_t status = stop_at_switch(c, &x, h - done, step);
+        if (!status) status = take_to_switch(c, &x);
+        if (!status) status = pass_switch(c, &x);
         if (status) return status;
-        begin_watched(c, length);
-        status = find_switch(c, undivided_step, c->t, &length, undivided_step(c, length), &crossed);
-        if (status) return status;
-        if (crossed) status = pass_motion(c);
-        else if (stops) status = pass_time(c, c->stop);
-        if (status) return status;
-        done = length == h - done ? h : done + length;
+        done = x.length == h - done ? h : done + x.length;
     }
     return HOLONOM_OK;
 }

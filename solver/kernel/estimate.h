@@ -15,6 +15,10 @@
 #define SETTLING 50.0
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
+/* Error of velocities of parts that stiff springs or dampers hold, and that follow a force: of a pair over h^2 times the rate of
+   accelerations, of a cover of order 4 over its difference. It is there at the end of each step, and does not add up. */
+#define SLAVED 0.3
+#define SLAVED_COVER 0.5
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of the step before: a force has jumped
    within the step, and no difference before it tells. */
 #define AT_A_JUMP 1.0
@@ -82,7 +86,7 @@ static int find_rate_of_pairs(const context *c, double h)
 static int difference_of_pairs(const context *c, double h, double *difference)
 {
     if (!find_rate_of_pairs(c, h)) return 0;
-    const double of_rate = mass_norm(c, c->k.estimate), speed = mass_norm(c, c->s.v);
+    const double of_rate = error_norm(c, c->k.estimate), speed = error_norm(c, c->s.v);
     const double omega = speed > 0.0 ? sqrt(of_rate / speed) : 0.0;
     *difference = h * h * h * relative_size(c, of_rate, omega * of_rate);
     return 1;
@@ -200,7 +204,7 @@ static int estimate_error(const context *c, double h, step_error *e)
     const double *x = c->k.estimate + (c->unweighted ? 0 : 2 * n);
     double difference;
     if (c->way == EXPLICIT) difference = c->difference;
-    else if (c->way == COVERED) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
+    else if (c->way == COVERED) difference = relative_size(c, error_norm(c, x), error_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     e->is_noise = is_noise(c, used->round_off, difference, h);
     if (c->unweighted) { /* the end that was not taken tells the error of the one that was, after so many pairs */
@@ -216,14 +220,17 @@ static int estimate_error(const context *c, double h, step_error *e)
     e->mean = used->mean * (order == 2 ? freed * freed * freed : hm_pow(freed, order + 1));
     const double before_it = c->s.head[S_LAST_RATE];
     const int is_settled = has_strong_dampers(c);
+    const int is_slaved = c->way != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
-        const double before = relative_size(c, mass_norm(c, x + 2 * n), mass_norm(c, x + 3 * n));
+        const double before = relative_size(c, error_norm(c, x + 2 * n), error_norm(c, x + 3 * n));
         const double next = difference * difference / hm_hypot(difference, before);
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
     else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m)) && e->rate > SUDDEN * before_it) e->mean = fmax(e->mean, AT_A_JUMP * difference);
+    if (is_slaved && order == 2) e->settled = SLAVED * h * h * error_norm(c, c->k.estimate) / fmax(speed_scale(c), 1e-300);
+    if (is_slaved && order == 4) e->settled = SLAVED_COVER * difference;
     e->mean *= c->growth;
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;

@@ -371,19 +371,25 @@ static int friction_takes_energy(const context *c)
     return head[S_FRICTION] >= start[S_FRICTION] - 1e-9 * head[S_ENERGY_REFERENCE];
 }
 
-/* Cuts a piece of length h from time t, whose step has just been made, at its first event, and changes modes there;
-   `covered` is the length that it then has. */
-static int32_t end_piece(context *c, double t, double law_time, double h, double *covered)
+/* Cuts a piece of length h from time t, whose step has just been made, at its first event; `covered` is the length that it then has. */
+static int32_t cut_piece(context *c, double t, double law_time, double h, double *covered)
 {
-    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
+    const event_values high = values_at(c, AT_HIGH);
     int32_t status = HOLONOM_OK;
     *covered = h;
     c->event = -1;
-    if (!is_quiet(c, h, low, high)) {
+    if (!is_quiet(c, h, values_at(c, AT_LOW), high)) {
         status = event_functions(c, high);
         if (!status) status = find_event(c, t, law_time, h, covered);
     }
-    if (!status && !friction_takes_energy(c)) status = HOLONOM_CONTACT_UNDECIDED;
+    return !status && !friction_takes_energy(c) ? HOLONOM_CONTACT_UNDECIDED : status;
+}
+
+/* Likewise; changes modes there. */
+static int32_t end_piece(context *c, double t, double law_time, double h, double *covered)
+{
+    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
+    int32_t status = cut_piece(c, t, law_time, h, covered);
     if (status) return status;
     if (*covered == h && c->event < 0) {
         const int stops = follow_slips(c, high);

@@ -85,6 +85,7 @@ static int32_t take_weighted(context *c, const double *booked)
     }
     gain_together(c, gained);
     if (c->m->n_driven) follow_drivers(c);
+    else signal_rates_at(c, c->t, c->k.signal_rate);
     suspend_sliding(c, NULL, 1); /* no friction answers the corrections */
     context at = rows_at_state(c);
     take_unknowns(&at);
@@ -139,7 +140,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
     if (is_judged) {
         add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
         c->s.head[S_LAST_LENGTH] = 0.5 * h;
-    } else if (hm_tolerance(c->s.head) > 0.0 && status != HOLONOM_DAMPING_REVERSED)
+    } else if (c->tolerance > 0.0 && status != HOLONOM_DAMPING_REVERSED)
         return status;
     take_state(c, c->k.finest);
     c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;

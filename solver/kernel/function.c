@@ -90,7 +90,7 @@ HM_OFTEN argument argument_of(int32_t place, const double *numbers, const hm_reg
 
 /* Slopes of one operation with respect to its first two arguments. Comparisons, sign, conditions and what rounds
    have none: the reader keeps them away from what moves.                                                     */
-static void operation_slopes(int32_t code, argument a, argument b, double f0, double f1, double *slope)
+static void operation_slopes(int32_t code, const argument *a, const argument *b, double f0, double f1, double *slope)
 {
     slope[0] = slope[1] = 0.0;
     switch (code) {
@@ -98,30 +98,30 @@ static void operation_slopes(int32_t code, argument a, argument b, double f0, do
     case T_NEG: slope[0] = -1.0; break;
     case T_ADD: slope[0] = slope[1] = 1.0; break;
     case T_SUB: slope[0] = 1.0; slope[1] = -1.0; break;
-    case T_MUL: slope[0] = b.mean; slope[1] = a.mean; break;
-    case T_DIV: slope[0] = b.mean / (b.x0 * b.x1); slope[1] = -a.mean / (b.x0 * b.x1); break;
-    case T_POW: power_slopes(a.x0, a.x1, a.dx, b.x0, b.x1, b.dx, slope); break;
-    case T_SIN: slope[0] = hm_cos(a.mean) * sinc(0.5 * a.dx); break;
-    case T_COS: slope[0] = -hm_sin(a.mean) * sinc(0.5 * a.dx); break;
-    case T_TAN: slope[0] = sinc(a.dx) / (hm_cos(a.x0) * hm_cos(a.x1)); break;
-    case T_ASIN: slope[0] = asin_slope(a.x0, a.x1, a.dx); break;
-    case T_ACOS: slope[0] = -asin_slope(a.x0, a.x1, a.dx); break;
-    case T_ATAN: slope[0] = hm_angle_over(a.dx, 1.0 + a.x0 * a.x1); break;
+    case T_MUL: slope[0] = b->mean; slope[1] = a->mean; break;
+    case T_DIV: slope[0] = b->mean / (b->x0 * b->x1); slope[1] = -a->mean / (b->x0 * b->x1); break;
+    case T_POW: power_slopes(a->x0, a->x1, a->dx, b->x0, b->x1, b->dx, slope); break;
+    case T_SIN: slope[0] = hm_cos(a->mean) * sinc(0.5 * a->dx); break;
+    case T_COS: slope[0] = -hm_sin(a->mean) * sinc(0.5 * a->dx); break;
+    case T_TAN: slope[0] = sinc(a->dx) / (hm_cos(a->x0) * hm_cos(a->x1)); break;
+    case T_ASIN: slope[0] = asin_slope(a->x0, a->x1, a->dx); break;
+    case T_ACOS: slope[0] = -asin_slope(a->x0, a->x1, a->dx); break;
+    case T_ATAN: slope[0] = hm_angle_over(a->dx, 1.0 + a->x0 * a->x1); break;
     case T_ATAN2: {
-        const double factor = hm_angle_over(b.mean * a.dx - a.mean * b.dx, b.x0 * b.x1 + a.x0 * a.x1);
-        slope[0] = factor * b.mean;
-        slope[1] = -factor * a.mean;
+        const double factor = hm_angle_over(b->mean * a->dx - a->mean * b->dx, b->x0 * b->x1 + a->x0 * a->x1);
+        slope[0] = factor * b->mean;
+        slope[1] = -factor * a->mean;
         break;
     }
     case T_SQRT: slope[0] = 1.0 / (f0 + f1); break;
-    case T_EXP: slope[0] = hm_exp(a.mean) * sinhc(0.5 * a.dx); break;
-    case T_LOG: slope[0] = log_slope(a.x0, a.x1, a.dx); break;
-    case T_SINH: slope[0] = hm_cosh(a.mean) * sinhc(0.5 * a.dx); break;
-    case T_COSH: slope[0] = hm_sinh(a.mean) * sinhc(0.5 * a.dx); break;
-    case T_TANH: slope[0] = tanh_slope(a.x0, a.x1, a.dx); break;
-    case T_ABS: slope[0] = abs_slope(a.x0, a.x1); break;
+    case T_EXP: slope[0] = hm_exp(a->mean) * sinhc(0.5 * a->dx); break;
+    case T_LOG: slope[0] = log_slope(a->x0, a->x1, a->dx); break;
+    case T_SINH: slope[0] = hm_cosh(a->mean) * sinhc(0.5 * a->dx); break;
+    case T_COSH: slope[0] = hm_sinh(a->mean) * sinhc(0.5 * a->dx); break;
+    case T_TANH: slope[0] = tanh_slope(a->x0, a->x1, a->dx); break;
+    case T_ABS: slope[0] = abs_slope(a->x0, a->x1); break;
     case T_MIN: case T_MAX: {
-        const double half = 0.5 * abs_slope(a.x0 - b.x0, a.x1 - b.x1), sign = code == T_MAX ? 1.0 : -1.0;
+        const double half = 0.5 * abs_slope(a->x0 - b->x0, a->x1 - b->x1), sign = code == T_MAX ? 1.0 : -1.0;
         slope[0] = 0.5 + sign * half;
         slope[1] = 0.5 - sign * half;
         break;
@@ -130,52 +130,90 @@ static void operation_slopes(int32_t code, argument a, argument b, double f0, do
     }
 }
 
+/* Operation of register `at` at both ends, its slopes and its change, of any kind. */
+static void run_operation(const int32_t *op, int32_t at, const double *numbers, const hm_registers *r)
+{
+    double *slope = r->slope + 3 * at;
+    if (reads_grid(op[0])) { /* of three registers one behind the other */
+        const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3], *x0 = r->r0 + op[1], *x1 = r->r1 + op[1];
+        r->r0[at] = hm_grid(op[0] - T_GRID, x0, first, end);
+        r->r1[at] = hm_grid(op[0] - T_GRID, x1, first, end);
+        hm_grid_slopes(op[0] - T_GRID, x0, x1, first, end, slope);
+        r->dr[at] = 0.0;
+        for (int k = 0; k < 3; k++) r->dr[at] += slope[k] * r->dr[op[1] + k];
+        return;
+    }
+    const argument a = argument_of(op[1], numbers, r);
+    if (op[0] >= T_SPLINE) { /* its table lies among the numbers */
+        const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3];
+        r->r0[at] = hm_spline(op[0] - T_SPLINE, a.x0, first, end);
+        r->r1[at] = hm_spline(op[0] - T_SPLINE, a.x1, first, end);
+        slope[0] = hm_spline_slope(op[0] - T_SPLINE, a.x0, a.x1, first, end);
+        r->dr[at] = slope[0] * a.dx;
+        return;
+    }
+    const argument b = argument_of(op[2], numbers, r), c = argument_of(op[3], numbers, r);
+    r->r0[at] = hm_operate(op[0], a.x0, b.x0, c.x0);
+    r->r1[at] = hm_operate(op[0], a.x1, b.x1, c.x1);
+    if (op[0] == T_SELECT) { /* its condition does not move: the branch taken is linear */
+        slope[0] = a.x0 != 0.0 ? 1.0 : 0.0;
+        slope[1] = 1.0 - slope[0];
+        r->dr[at] = a.x0 != 0.0 ? b.dx : c.dx;
+        return;
+    }
+    operation_slopes(op[0], &a, &b, r->r0[at], r->r1[at], slope);
+    r->dr[at] = (op[1] >= 0 ? slope[0] * a.dx : 0.0) + (op[2] >= 0 ? slope[1] * b.dx : 0.0);
+}
+
+/* Likewise of a sum, a difference or a product, as most are; if nothing `moves` both ends are one. */
+HM_OFTEN void run_arithmetic(const int32_t *op, int32_t at, const double *numbers, const hm_registers *r, int moves)
+{
+    const int32_t i = op[1], k = op[2];
+    const double a0 = i < 0 ? numbers[-1 - i] : r->r0[i], a1 = i < 0 || !moves ? a0 : r->r1[i];
+    const double b0 = k < 0 ? numbers[-1 - k] : r->r0[k], b1 = k < 0 || !moves ? b0 : r->r1[k];
+    double *slope = r->slope + 3 * at;
+    if (op[0] == T_MUL) {
+        r->r0[at] = a0 * b0;
+        r->r1[at] = moves ? a1 * b1 : r->r0[at];
+        slope[0] = moves ? 0.5 * (b0 + b1) : b0;
+        slope[1] = moves ? 0.5 * (a0 + a1) : a0;
+    } else {
+        const double sign = op[0] == T_ADD ? 1.0 : -1.0;
+        r->r0[at] = a0 + sign * b0;
+        r->r1[at] = moves ? a1 + sign * b1 : r->r0[at];
+        slope[0] = 1.0;
+        slope[1] = sign;
+    }
+    r->dr[at] = moves ? (i >= 0 ? slope[0] * r->dr[i] : 0.0) + (k >= 0 ? slope[1] * r->dr[k] : 0.0) : 0.0;
+}
+
+HM_OFTEN void run_operations(const int32_t *operation, int32_t at, int32_t end, const double *numbers, const hm_registers *r, int moves)
+{
+    for (; at < end; at++, operation += 4)
+        if (operation[0] == T_ADD || operation[0] == T_SUB || operation[0] == T_MUL) run_arithmetic(operation, at, numbers, r, moves);
+        else run_operation(operation, at, numbers, r);
+}
+
 int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
                              const hm_registers *r)
 {
     const int32_t count = n_leaves + n_operations, last = count - 1;
-    for (int32_t i = 0; i < n_operations; i++) {
-        const int32_t *op = operation + 4 * i, at = n_leaves + i;
-        const argument a = argument_of(op[1], numbers, r), b = argument_of(op[2], numbers, r);
-        const argument c = argument_of(op[3], numbers, r);
-        double *slope = r->slope + 3 * at;
-        r->r0[at] = hm_operate(op[0], a.x0, b.x0, c.x0);
-        r->r1[at] = hm_operate(op[0], a.x1, b.x1, c.x1);
-        if (reads_grid(op[0])) { /* of three registers one behind the other */
-            const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3], *x0 = r->r0 + op[1], *x1 = r->r1 + op[1];
-            r->r0[at] = hm_grid(op[0] - T_GRID, x0, first, end);
-            r->r1[at] = hm_grid(op[0] - T_GRID, x1, first, end);
-            hm_grid_slopes(op[0] - T_GRID, x0, x1, first, end, slope);
-            r->dr[at] = 0.0;
-            for (int k = 0; k < 3; k++) r->dr[at] += slope[k] * r->dr[op[1] + k];
-            continue;
-        }
-        if (op[0] >= T_SPLINE) { /* a spline: its table lies among the numbers */
-            const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3];
-            r->r0[at] = hm_spline(op[0] - T_SPLINE, a.x0, first, end);
-            r->r1[at] = hm_spline(op[0] - T_SPLINE, a.x1, first, end);
-            slope[0] = hm_spline_slope(op[0] - T_SPLINE, a.x0, a.x1, first, end);
-            r->dr[at] = slope[0] * a.dx;
-            continue;
-        }
-        if (op[0] == T_SELECT) { /* its condition does not move: the branch taken is linear */
-            slope[0] = a.x0 != 0.0 ? 1.0 : 0.0;
-            slope[1] = 1.0 - slope[0];
-            r->dr[at] = a.x0 != 0.0 ? b.dx : c.dx;
-            continue;
-        }
-        operation_slopes(op[0], a, b, r->r0[at], r->r1[at], slope);
-        r->dr[at] = (op[1] >= 0 ? slope[0] * a.dx : 0.0) + (op[2] >= 0 ? slope[1] * b.dx : 0.0);
-    }
+    int moves = 0;
+    for (int32_t i = 0; i < n_leaves && !moves; i++) moves = r->dr[i] != 0.0 || r->r0[i] != r->r1[i];
+    if (moves) run_operations(operation, n_leaves, count, numbers, r, 1);
+    else run_operations(operation, n_leaves, count, numbers, r, 0); /* as values of slips: with fewer instructions */
     for (int32_t i = 0; i < count; i++) r->adjoint[i] = 0.0;
     r->adjoint[last] = 1.0;
-    for (int32_t i = n_operations - 1; i >= 0; i--) {
-        const int32_t *op = operation + 4 * i, at = n_leaves + i;
+    for (int32_t at = last; at >= n_leaves; at--) {
+        const int32_t *op = operation + 4 * (at - n_leaves);
+        const double adjoint = r->adjoint[at], *slope = r->slope + 3 * at;
+        if (reads_grid(op[0])) {
+            for (int k = 0; k < 3; k++) r->adjoint[op[1] + k] += adjoint * slope[k];
+            continue;
+        }
         const int32_t first = op[0] == T_SELECT ? op[2] : op[1], second = op[0] == T_SELECT ? op[3] : op[2];
-        for (int k = 0; reads_grid(op[0]) && k < 3; k++) r->adjoint[op[1] + k] += r->adjoint[at] * r->slope[3 * at + k];
-        if (reads_grid(op[0])) continue;
-        if (first >= 0) r->adjoint[first] += r->adjoint[at] * r->slope[3 * at];
-        if (second >= 0) r->adjoint[second] += r->adjoint[at] * r->slope[3 * at + 1];
+        if (first >= 0) r->adjoint[first] += adjoint * slope[0];
+        if (second >= 0) r->adjoint[second] += adjoint * slope[1];
     }
     return last;
 }

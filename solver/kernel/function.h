@@ -128,7 +128,7 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
     }
 }
 
-/* curve_fg = d slope_f/d s_g at the end, and end_g = d C/d s_g. */
+/* curve_fg = d slope_f/d s_g at the end, and end_g = d C/d s_g. Without `matrix` slopes do not depend on the leaves. */
 static void function_tangent(const context *c, int32_t j, const double *matrix)
 {
     const holonom_model *m = c->m;
@@ -147,7 +147,7 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
         for (int f = 0; f < 2 && a[2 + f] >= 0; f++)
             for (int g = 0; g < 2 && a[2 + g] >= 0; g++)
                 c->k.curve[forms * a[2 + f] + a[2 + g]] += c->k.r.adjoint[l] * leaf[l].curve[2 * f + g];
-        for (int32_t k = 0; k < n; k++) {
+        for (int32_t k = 0; k < n && matrix; k++) {
             const int32_t *b = m->leaf + 4 * (m->leaf_ptr[j] + k);
             if (b[0] != LEAF_VALUE || matrix[n * l + k] == 0.0) continue;
             for (int f = 0; f < 2 && a[2 + f] >= 0; f++)
@@ -157,8 +157,14 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
     }
 }
 
-/* Leaves of function j, and if it is `bent` its slopes at the end and the derivatives of its slopes. */
-static int32_t set_leaves(const context *c, int32_t j, int bent, double *matrix)
+/* Whether function j takes the same values over the step and at its end: its slopes at the end are those over the step. */
+static int is_point_function(const context *c, int32_t j) { return is_velocity_row(c, j) && !has_signal(c, j); }
+
+/* What is asked of a composite besides its slopes: derivatives of its value at the end, and of its slopes, too. */
+enum { SLOPES_ALONE, WITH_ENDS, WITH_STIFFNESS };
+
+/* Leaves of function j, and what of a function that is not linear is asked for; a point function's slopes at the end come later. */
+static int32_t set_leaves(const context *c, int32_t j, int asked, int is_point, double *matrix)
 {
     const holonom_model *m = c->m;
     leaf_state *leaf = (leaf_state *)c->k.leaves;
@@ -168,8 +174,8 @@ static int32_t set_leaves(const context *c, int32_t j, int bent, double *matrix)
         const int32_t status = entry[0] == LEAF_SIGNAL ? 0 : set_leaf(c, entry, is_seeking(c), leaf + l);
         if (status) return status;
     }
-    if (!bent) return HOLONOM_OK;
-    differentiate_slopes(c, j, matrix);
+    if (asked == WITH_STIFFNESS) differentiate_slopes(c, j, matrix);
+    if (asked == SLOPES_ALONE || is_point) return HOLONOM_OK;
     load_registers(c, j, AT_END);
     run_function(c, j);
     for (int32_t l = 0; l < n; l++) leaf[l].n_end = c->k.r.adjoint[l];
@@ -193,23 +199,21 @@ static double gather_slopes(const context *c, int32_t j)
     return mechanical;
 }
 
-/* Slopes of function j over the step with respect to its forms; with `tangent` also curve and end. */
-static int32_t function_slopes(const context *c, int32_t j, int tangent, composite_result *result)
+/* Slopes of function j over the step with respect to its forms; if asked for also curve and end. */
+static int32_t function_slopes(const context *c, int32_t j, int asked, composite_result *result)
 {
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
-    const int straight = tangent && is_linear(c, j);
-    const int32_t status = set_leaves(c, j, tangent && !straight, matrix);
+    const int straight = asked && is_linear(c, j);
+    const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
+    const int is_point = asked && !straight && is_point_function(c, j);
+    const int32_t status = set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
     if (status) return status;
     load_registers(c, j, OVER_STEP);
     const int32_t last = run_function(c, j);
     damp_slopes(c, j);
-    if (straight) {
-        const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
-        leaf_state *leaf = (leaf_state *)c->k.leaves;
-        memset(matrix, 0, sizeof(double) * (size_t)(n * n));
-        for (int32_t l = 0; l < n; l++) leaf[l].n_end = c->k.r.adjoint[l];
-    }
-    if (tangent) function_tangent(c, j, matrix);
+    leaf_state *leaf = (leaf_state *)c->k.leaves;
+    for (int32_t l = 0; l < n && (straight || is_point); l++) leaf[l].n_end = c->k.r.adjoint[l];
+    if (asked) function_tangent(c, j, asked == WITH_STIFFNESS && !straight ? matrix : NULL);
     result->change = is_velocity_row(c, j) ? c->h * c->k.r.r0[last] : c->k.r.dr[last];
     result->row = is_seeking(c) && !is_velocity_row(c, j) ? c->k.r.r0[last] : result->change;
     result->mechanical = gather_slopes(c, j);
@@ -217,10 +221,10 @@ static int32_t function_slopes(const context *c, int32_t j, int tangent, composi
 }
 
 /* Slopes of composite j; a row's function value is that over phi_0. */
-static int32_t composite_slopes(const context *c, int32_t j, int tangent, composite_result *result)
+static int32_t composite_slopes(const context *c, int32_t j, int asked, composite_result *result)
 {
     set_local_forms(c, j, c->theta);
-    if (j < first_function(c)) return element_law(c, j, tangent, result);
+    if (j < first_function(c)) return element_law(c, j, asked, result);
     if (is_seeking(c) && is_velocity_row(c, j)) { /* velocities do not bind positions */
         const size_t forms = (size_t)(c->m->composite_form_ptr[j + 1] - c->m->composite_form_ptr[j]);
         memset(result, 0, sizeof(*result));
@@ -229,7 +233,7 @@ static int32_t composite_slopes(const context *c, int32_t j, int tangent, compos
         memset(c->k.curve, 0, sizeof(double) * forms * forms);
         return HOLONOM_OK;
     }
-    return function_slopes(c, j, tangent, result);
+    return function_slopes(c, j, asked, result);
 }
 
 /* Value of function j, without slopes, of quantities at the beginning of the step or, where they are not known, at the state. */

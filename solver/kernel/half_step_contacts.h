@@ -104,7 +104,7 @@ static void begin_choice(context *c, double h)
 static int32_t gap_at_end(const context *c, int32_t i, double *gap)
 {
     composite_result result = {0.0, 0.0, 0.0};
-    const int32_t status = composite_slopes(c, c->m->contact_row[i], 0, &result);
+    const int32_t status = composite_slopes(c, c->m->contact_row[i], SLOPES_ALONE, &result);
     *gap = touch_of(c, i)->gap + result.change;
     return status;
 }

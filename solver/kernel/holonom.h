@@ -92,6 +92,9 @@ HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, 
 HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers, double *state, double *work,
                                     double step, holonom_watch *watch, holonom_mesh *mesh);
 
+/* Whether the settings in `state` let some steps of this model be explicit. */
+int32_t holonom_may_be_explicit(const holonom_model *model, double *numbers, double *state, double *work);
+
 /* Changes inputs and tunable parameters; a jump of stored energy is booked as work. `inputs` (n_inputs),
    `parameters` (n_parameters). Returns the row of a contact whose sides they press into each other, with its `gap` (1,
    written then alone), or -1; such a state cannot be advanced. */

@@ -1,7 +1,7 @@
 /* Impacts at a fixed configuration: what touches and approaches parts with the restitution asked for, or stays closed.
 
    With x_r = M^-1 (g_r + G_B' p_B), G_B x_r = 0, the velocities that a unit impulse along row r brings about while all
-   bilateral rows hold, W = g_r . x_s is what impact_law.h works on, and v+ = v- + sum p_r x_r.                   */
+   bilateral rows hold, W = g_r . x_s is what impact_sweep.h works on, and v+ = v- + sum p_r x_r.                   */
 #ifndef HOLONOM_IMPACT_H
 #define HOLONOM_IMPACT_H
 
@@ -93,6 +93,15 @@ static int approaches(const context *c, const hit *x)
 {
     for (int32_t k = 0; k < x->law.contacts; k++)
         if (x->contact[k] >= 0 && gap_rate(c, x->contact[k]) < -speed_tolerance(c)) return 1;
+    return 0;
+}
+
+/* Solves the law of impact, and counts what a user may want to know of it; returns 0, or 1 if no impulses were found. */
+static int solve_hit(const context *c, hit *x)
+{
+    if (hm_solve_impact(&x->law)) return 1;
+    c->s.head[S_JAMS] += x->law.jam != 0;
+    c->s.head[S_NEWTON_IMPACTS] += x->law.newton;
     return 0;
 }
 
@@ -204,7 +213,7 @@ HM_SELDOM static int32_t jam(context *c)
     const int32_t status = fill_hit(c, &x);
     if (status) return status;
     for (int32_t k = 0; k < x.law.contacts; k++) x.before[x.law.first[k]] -= speed_tolerance(c);
-    if (hm_solve_impact(&x.law)) return HOLONOM_CONTACT_UNDECIDED;
+    if (solve_hit(c, &x)) return HOLONOM_CONTACT_UNDECIDED;
     for (int32_t k = 0; k < x.law.contacts; k++) pushed += x.law.impulse[x.law.first[k]];
     return pushed > 0.0 ? apply_hit(c, &x, kinetic) : HOLONOM_CONTACT_UNDECIDED;
 }

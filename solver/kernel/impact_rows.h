@@ -3,7 +3,7 @@
 #ifndef HOLONOM_IMPACT_ROWS_H
 #define HOLONOM_IMPACT_ROWS_H
 
-#include "impact_law.h"
+#include "impact_sweep.h"
 #include "start.h"
 
 /* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to the velocities. */
@@ -12,7 +12,7 @@ HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double fa
     composite_result result = {0.0, 0.0, 0.0};
     context still = *c;
     still.h = AT_STATE;
-    const int32_t status = composite_slopes(&still, j, 0, &result);
+    const int32_t status = composite_slopes(&still, j, SLOPES_ALONE, &result);
     if (!status) add_slopes(c, j, factor);
     return status;
 }
@@ -27,11 +27,10 @@ HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
 /* An impact as it is set up: the rows of contacts that take part, and what is known of each. */
 typedef struct hit {
     hm_impact law;
-    double *W, *coefficient, *before; /* what law reads, to be filled                                          */
-    int32_t *first, *tangents;        /* likewise                                                              */
-    int32_t *contact;                 /* number of each contact that takes part; of joint friction f -1 - f     */
-    int32_t *row;                     /* composite of each row; -1: of the normal force of a joint             */
-    double *given;                    /* restitution of each                                                   */
+    double *W, *coefficient, *restitution, *before; /* what law reads, to be filled                            */
+    int32_t *first, *tangents, *force_begin, *force_end; /* likewise                                           */
+    int32_t *contact; /* number of each contact that takes part; of joint friction f -1 - f                    */
+    int32_t *row;     /* composite of each row; -1: of the normal force of a joint                             */
 } hit;
 
 /* Lays the vectors of an impact over the scratch. */
@@ -39,18 +38,22 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
 {
     const int64_t n = c->m->n_hit_rows;
     double *d = c->k.hit;
-    int32_t *i = (int32_t *)(void *)(d + 6 * n);
+    int32_t *i = (int32_t *)(void *)(d + 7 * n);
     x->W = c->k.hit_matrix;
+    x->restitution = d;
     x->coefficient = d + n;
     x->before = d + 2 * n;
     x->first = i;
     x->tangents = i + n;
+    x->force_begin = i + 2 * n;
+    x->force_end = i + 3 * n;
+    x->contact = i + 4 * n;
+    x->row = i + 5 * n;
     x->law = (hm_impact){.W = x->W, .restitution = d, .coefficient = x->coefficient, .before = x->before,
-                         .impulse = d + 3 * n, .after = d + 4 * n, .scratch = c->k.hit_scratch,
-                         .first = x->first, .tangents = x->tangents, .status = i + 2 * n};
-    x->contact = i + 3 * n;
-    x->row = i + 4 * n;
-    x->given = d + 5 * n;
+                         .impulse = d + 3 * n, .after = d + 4 * n, .compression = d + 5 * n, .expansion = d + 6 * n,
+                         .forces = c->m->n_hit_forces, .force = c->k.hit_force, .scratch = c->k.hit_scratch,
+                         .first = x->first, .tangents = x->tangents, .force_begin = x->force_begin, .force_end = x->force_end,
+                         .force_continues = (const int32_t *)(const void *)c->k.hit_norms};
 }
 
 /* Adds friction f with that normal row, of a contact or of the joint that rubs; 0 if there is no room. */
@@ -61,7 +64,8 @@ HM_SELDOM static int add_rows_to_hit(const context *c, hit *x, int32_t contact, 
     x->first[k] = x->law.rows;
     x->tangents[k] = slips;
     x->coefficient[k] = f < 0 ? 0.0 : c->number[c->m->sliding_at + f];
-    x->law.restitution[k] = x->given[k] = restitution;
+    x->restitution[k] = restitution;
+    x->force_begin[k] = x->force_end[k] = 0;
     x->contact[k] = contact;
     x->row[x->law.rows++] = row;
     for (int s = 0; s < slips; s++) x->row[x->law.rows++] = slip_row(c, f, s);

@@ -435,6 +435,13 @@ int32_t holonom_assemble(holonom_instance *i)
     return done(i);
 }
 
+const char *holonom_steps(holonom_instance *i, int32_t has_explicit)
+{
+    hm_clear(&i->message);
+    hm_say_steps(&i->message, i->s.head, has_explicit && holonom_may_be_explicit(&i->file.model, i->numbers, i->state, i->work));
+    return i->message.begin;
+}
+
 void holonom_begin(holonom_instance *i)
 {
     if (i->phase == HOLONOM_ASSEMBLED) i->phase = HOLONOM_MOVING;

@@ -48,6 +48,9 @@ HOLONOM_API double holonom_number_of_word(const holonom_instance *instance, int3
 /* Assembles the mechanism with the present parameters at the present time (its state's S_TIME). */
 HOLONOM_API int32_t holonom_assemble(holonom_instance *instance);
 
+/* What steps the settings choose, in words; `has_explicit`: 0 where a run has shown that none is explicit. Until the next call. */
+HOLONOM_API const char *holonom_steps(holonom_instance *instance, int32_t has_explicit);
+
 /* Ends the start: what is set from now on is for the step to come, as after a step. */
 HOLONOM_API void holonom_begin(holonom_instance *instance);
 

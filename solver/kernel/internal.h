@@ -202,8 +202,9 @@ static inline double hm_look_up(int32_t code, const double *x, const double *fir
 /* Largest part of their scale that dependent rows may miss together, see newton.h; of rates also over the fastest motion. */
 #define LARGEST_CONTRADICTION 1e-12
 
-/* Scratch of an impact with so many rows, see impact_map. */
-#define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 13))
+/* Scratch of contacts and of an impact with so many rows, see contact_map and sweep_map. */
+#define CONTACT_SCRATCH(rows) ((int64_t)(rows) * (3 * (int64_t)(rows) + 27))
+#define IMPACT_SCRATCH(rows) (CONTACT_SCRATCH(rows) + (int64_t)(rows) * ((int64_t)(rows) + 80))
 
 /* Lays the named vectors over one block; each returns the number of doubles used. */
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);

@@ -37,7 +37,7 @@ static void book_composites(context *c)
     for IN_ISLAND(c, j, ISLAND_ELEMENT) {
         const double damping = c->number[m->damping_at + j], drive = c->number[m->drive_at + j];
         if (damping == 0.0 && drive == 0.0) continue;
-        composite_slopes(c, j, 0, &result);
+        composite_slopes(c, j, SLOPES_ALONE, &result);
         const double lost = damping * result.mechanical * result.mechanical / c->h;
         book(c, S_DISSIPATED, lost);
         c->k.loss[j] += lost;
@@ -45,7 +45,7 @@ static void book_composites(context *c)
     }
     EACH_COMPOSITE(c, j) {
         if (is_damped(c, j)) {
-            composite_slopes(c, j, 0, &result);
+            composite_slopes(c, j, SLOPES_ALONE, &result);
             const double lost = damping_share_of_step(c, j) * result.change;
             book(c, S_DISSIPATED, lost);
             c->k.loss[j] += lost;

@@ -56,11 +56,12 @@ static void mean_forces(const context *c, const hm_measured *y)
 }
 
 /* Whether the state tells forces better than means do, which are of order 2 whatever the order of the motion is. With equal steps means
-   stand: they are what acts in steps that may be longer than what swings. Explicit steps have solved for them, but before a jump. */
+   stand: they are what acts in steps that may be longer than what swings; so they do where steps went over contacts. Explicit steps have
+   solved for them, but before a jump. */
 static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
-    return (m->n_rows || m->n_driven) && hm_tolerance(c->s.head) > 0.0 && !is_unilateral(m) &&
+    return (m->n_rows || m->n_driven) && c->tolerance > 0.0 && !(is_unilateral(m) && c->s.head[S_UNSETTLED] != 0.0) &&
            (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
 }
 
@@ -83,13 +84,29 @@ HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
     return status;
 }
 
+/* Likewise with contacts and frictions, in the modes that they are in. */
+HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
+{
+    const holonom_model *m = c->m;
+    keep_state(c, c->k.whole_backup);
+    evaluate_state(c);
+    int32_t status = evaluate_forces(c);
+    memcpy(y->multiplier, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
+    memcpy(c->k.mu, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
+    if (!status && m->n_driven) status = forces_at_state(c);
+    for (int32_t k = 0; k < DIM * m->n_driven && !status; k++) y->driven_force[k] = c->k.momentum[DIM * m->n_free + k] / AT_STATE;
+    take_state(c, c->k.whole_backup);
+    set_laws(c, c->t, 0);
+    return status;
+}
+
 /* Multipliers, forces on driven nodes, and the forces along rods, 2 mu |u|, positive in tension. */
 static void measure_rows(context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];
     mean_forces(c, y);
-    if (tells_forces(c) && forces_of_state(c, y)) mean_forces(c, y);
+    if (tells_forces(c) && (is_unilateral(m) ? forces_of_modes(c, y) : forces_of_state(c, y))) mean_forces(c, y);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
         y->rod_force[i] = y->multiplier[i] * 2.0 * sqrt(dot(u, u));
@@ -161,6 +178,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
     }
     y->loss[0] = head[S_DISSIPATED], y->loss[1] = head[S_FRICTION], y->loss[2] = head[S_IMPACT];
     y->contact_solver[0] = head[S_EVENTS] + head[S_SWITCHED], y->contact_solver[1] = head[S_STEPPED];
+    y->contact_solver[2] = head[S_JAMS], y->contact_solver[3] = head[S_NEWTON_IMPACTS];
 }
 
 /* Energies, and the largest scaled residuals of the rows. */

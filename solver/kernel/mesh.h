@@ -73,7 +73,7 @@ HM_SELDOM static void end_row(context *c, int taken)
     x->count++;
 }
 
-/* Says what ended the last step: a switch of laws; or the event function, with the value that is left of it. */
+/* Says what ended the last step: an event function, with the value that is left of it. */
 HM_SELDOM static void say_end(context *c, int end, int32_t function, double value)
 {
     double *row = last_row(mesh_of(c));

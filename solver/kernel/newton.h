@@ -211,6 +211,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         int32_t status = HOLONOM_OK;
         r->kept = may_keep_factors(c, r);
         if (!r->kept) {
+            c->soft = c->sliding && r->increments == 0; /* dear, and first factors contract well enough without it */
             status = factorise(c);
             c->firm = !status && rows_are_firm(c);
             c->has_last = 0;

@@ -34,6 +34,22 @@ static double weight_of_island(const context *c, int32_t i, double all)
     return own > 0.0 && c->m->n_islands > 1 ? all / own : 1.0;
 }
 
+/* Square of the mass norm of an error x (n), in which islands count as in weight_of_island. */
+HM_SELDOM static double norm2_of_islands(const context *c, const double *x)
+{
+    const double all = mass_of_all(c);
+    double sum = 0.0;
+    for (int32_t island = 0; island < c->m->n_islands; island++) {
+        const double weight = weight_of_island(c, island, all);
+        const span nodes = free_nodes(c, island);
+        for (int32_t a = nodes.begin; a < nodes.end; a++) sum += weight * c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
+    }
+    return sum;
+}
+
+/* Mass norm of an error x (n). */
+static double error_norm(const context *c, const double *x) { return c->m->n_islands > 1 ? sqrt(norm2_of_islands(c, x)) : mass_norm(c, x); }
+
 /* Largest of phi (n_rows) over the scale of its row, of the rows at hand. */
 static double largest_row(const context *c, const double *phi)
 {
@@ -79,7 +95,7 @@ static double rate_of_motion(const context *c)
 /* Error of a run that is asked for, relative to size and speed. */
 static inline double tolerated(const context *c)
 {
-    return hm_tolerance(c->s.head) + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
+    return c->tolerance + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
 }
 
 #endif

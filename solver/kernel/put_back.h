@@ -219,11 +219,10 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
     return make_up(c, excess) || is_round_off(c, x, excess);
 }
 
-/* Likewise of all islands. Factors at hand are those of equations at the state, or at one as near. */
+/* Likewise of all islands. Factors at hand are those of equations at the state, or at one as near; rates of signals are those now. */
 static int put_velocities_back(context *c, context *at)
 {
     int done = 1;
-    signal_rates_at(c, c->t, c->k.signal_rate);
     EACH_ISLAND_OF_BOTH(c, at, island) done = done && put_island_velocities_back(c, at);
     return done;
 }
@@ -247,12 +246,11 @@ HM_SELDOM static void put_only_velocities_back(context *c)
     if (!done) take_state(c, before);
 }
 
-/* Puts the state back, coordinates first; `held` says whether it cannot be, also where rows are too weak for it. */
+/* Likewise coordinates, ahead of velocities; `held` says whether they cannot be, also where rows are too weak for it. */
 HM_SELDOM static int32_t put_back(context *c, context *at, int *held)
 {
     int32_t status = HOLONOM_OK;
     *held = 0;
-    signal_rates_at(c, c->t, c->k.signal_rate);
     EACH_ISLAND_OF_BOTH(c, at, island) {
         if (status) continue;
         for (int i = 0; i < 2; i++) EACH_TURN(at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */

@@ -42,7 +42,7 @@ HM_SELDOM static void changes_of_rows(const context *c)
     EACH_COMPOSITE(c, j) {
         composite_result result = {0.0, 0.0, 0.0};
         if (!is_row(c, j)) continue;
-        composite_slopes(c, j, 0, &result);
+        composite_slopes(c, j, SLOPES_ALONE, &result);
         c->k.change[row_of(c, j)] = result.change;
         c->k.moved[row_of(c, j)] = result.mechanical;
     }

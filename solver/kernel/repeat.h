@@ -58,29 +58,22 @@ static int32_t take_again(context *c, const double *row, double h)
     return HOLONOM_OK;
 }
 
-/* Looks for changes of contacts in a step that has just been taken, of length h from t, where the recorded one had none. */
-static int32_t look_for_events(context *c, double t, double law_time, double h)
+/* Refuses changes of contacts in a step that has just been taken, of length h from t, where the recorded one had none. */
+static int32_t refuse_events(context *c, double t, double law_time, double h)
 {
-    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
-    double covered = h;
-    int32_t status = HOLONOM_OK;
-    c->event = -1;
-    if (!is_quiet(c, h, low, high)) {
-        status = event_functions(c, high);
-        if (!status) status = find_event(c, t, law_time, h, &covered);
-    }
+    const event_values high = values_at(c, AT_HIGH);
+    double covered;
+    const int32_t status = cut_piece(c, t, law_time, h, &covered);
     if (status) return status;
-    if (c->event >= 0 || covered < h) return HOLONOM_MESH_EVENTS;
-    if (!friction_takes_energy(c)) return HOLONOM_CONTACT_UNDECIDED;
-    if (follow_slips(c, high)) return HOLONOM_MESH_EVENTS;
-    copy_values(c, high, low);
+    if (c->event >= 0 || covered < h || follow_slips(c, high)) return HOLONOM_MESH_EVENTS;
+    copy_values(c, high, values_at(c, AT_LOW));
     return HOLONOM_OK;
 }
 
 /* Takes the steps of a piece; with `looks` events are looked for in those that had none. */
 static int32_t take_piece(context *c, const mesh_piece *x, int looks)
 {
-    const int same = is_as_recorded(x), tight = hm_tolerance(c->s.head) > 0.0;
+    const int same = is_as_recorded(x), tight = c->tolerance > 0.0;
     for (const double *row = x->first; row <= x->last; row += MESH_SIZE) {
         const double law_time = c->number[c->m->time_at];
         const double t = same ? row[MESH_TIME] : x->begin + x->factor * (row[MESH_TIME] - x->first[MESH_TIME]);
@@ -91,7 +84,7 @@ static int32_t take_piece(context *c, const mesh_piece *x, int looks)
         if (!(h > 0.0) || modes_of(c) != row[MESH_MODES]) return HOLONOM_MESH_EVENTS;
         c->t = t;
         int32_t status = take_again(c, row, h);
-        if (!status && looks && is_unilateral(c->m) && !is_located) status = look_for_events(c, t, law_time, h);
+        if (!status && looks && is_unilateral(c->m) && !is_located) status = refuse_events(c, t, law_time, h);
         else if (!is_located) follow_slips(c, values_at(c, AT_HIGH));
         if (status) return status;
         if (is_located) return HOLONOM_OK; /* contacts change first */
@@ -166,7 +159,7 @@ static int32_t change_contacts(context *c, const double *row)
     c->event = row[MESH_END] == END_EVENT ? (int32_t)row[MESH_FUNCTION] : -1;
     int32_t status = change_modes(c);
     if (!status) status = settle(c);
-    if (!status && hm_tolerance(c->s.head) > 0.0) follow_energies(c);
+    if (!status && c->tolerance > 0.0) follow_energies(c);
     return status;
 }
 
@@ -179,8 +172,6 @@ HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
     const double *row = repeated_by(c)->row, *behind = row + MESH_SIZE * repeated_by(c)->count, end = start + step;
     double later = 0.0; /* by which the next piece begins later than in the recorded run */
     int32_t status = row < behind ? HOLONOM_OK : HOLONOM_MESH_METHODS;
-    c->t = start;
-    if (c->m->n_signals && hm_tolerance(c->s.head) > 0.0) follow_jumps(c);
     while (!status && row < behind) {
         mesh_piece x = {row, row, row[MESH_TIME] + later, 1.0, NAN};
         while (x.last[MESH_END] == END_LENGTH && x.last + MESH_SIZE < behind) x.last += MESH_SIZE;
@@ -189,7 +180,7 @@ HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
         row = x.last + MESH_SIZE;
         if (is_no_time(x.first) && modes_of(c) != x.first[MESH_MODES]) continue;
         if (ends == END_LENGTH && later != 0.0) x.factor = longest / (end - x.first[MESH_TIME]), x.end = end;
-        if (!status) status = ends > END_LENGTH ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
+        status = ends > END_LENGTH ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
         if (!status && ends > END_LENGTH) status = change_contacts(c, x.last);
         if (!is_as_recorded(&x)) later += (x.factor - 1.0) * recorded_length(&x);
     }

@@ -50,8 +50,8 @@ const char *hm_about_step(int32_t status)
                "as t**2 is and t**1.5 is not, or start at another time";
 #if !defined(HOLONOM_STATIC)
     case HOLONOM_MESH_EVENTS:
-        return "contacts, frictions or laws change in another order than in the run whose mesh is repeated; change its numbers by less, or "
-               "record a mesh with these";
+        return "contacts or frictions change in another order than in the run whose mesh is repeated; change its numbers by less, or record "
+               "a mesh with these";
     case HOLONOM_MESH_METHODS:
         return "a step cannot be taken as in the run whose mesh is repeated; change its numbers by less, or record a mesh with these";
     case HOLONOM_MESH_STEPPED:
@@ -59,7 +59,7 @@ const char *hm_about_step(int32_t status)
                "repeat a run with solver.contact_mode located that ends before";
 #endif
     case HOLONOM_LAW_SWITCHES:
-        return "it switches more than 1000 times in this communication step; if it goes forth and back without end, give it a hysteresis, or "
+        return "it switches 1000 times at one moment, or a million times in this communication step; give it a hysteresis, or "
                "a slope in the place of the jump, as min(max(20*x, -1), 1) has for sign(x); a force that rubs holds where it is written "
                "with the sign of the rate along which it acts";
     case HOLONOM_SIGNAL_JUMPS:
@@ -230,6 +230,17 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
     if (*heavy.text && *light.text)
         hm_say(text, "; '%s' has %3g times the mass of '%s', which it throws about where they come into line", heavy.text,
                mass[heaviest] / mass[lightest], light.text);
+}
+
+void hm_say_steps(hm_text *text, const double *head, int is_explicit)
+{
+    const double tolerance = hm_tolerance(head), order = head[S_ORDER];
+    const int is_stepped = head[S_CONTACT_MODE] != 0.0;
+    hm_say(text, "%sconserving steps", is_explicit ? "explicit and " : "");
+    if (!(tolerance > 0.0) || order > 0.0) hm_say(text, " of order %6g", order > 0.0 && !is_stepped ? order : 2.0);
+    if (tolerance > 0.0) hm_say(text, ", chosen for a relative error of the run of %6g", tolerance);
+    else hm_say(text, ", of at most %6g s", hm_step_size(head));
+    if (is_stepped && head[S_TOLERANCE] > 0.0) hm_say(text, ": contact_mode stepped takes equal steps, whatever the tolerance");
 }
 
 static int has_dampers(const hm_model_file *f, const double *numbers)

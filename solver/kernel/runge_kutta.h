@@ -21,13 +21,17 @@ enum { MOST_PASSES = 8 };
 #define AIMED_DIFFERENCE 5e-4   /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked for more steps */
 #define MOST_HELD 3.0           /* steps in a row that could not be put back: then compositions serve for good */
 
-/* Whether steps may be explicit: put_back brings rows and energy back, and laws tell their powers at any moment. */
+/* Whether a model allows explicit steps: put_back brings rows and energy back, and laws tell their powers at any moment. */
+HM_SELDOM static int allows_explicit(const context *c)
+{
+    return !is_unilateral(c->m) && !(c->m->variable_potential && c->m->time_dependent) && are_smooth(c);
+}
+
+/* Whether steps may be explicit now. */
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
-    const holonom_model *m = c->m;
-    const double mass = c->number[m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
-    return mass > 0.0 && hm_tolerance(c->s.head) > 0.0 && c->s.head[S_HELD] < MOST_HELD && !is_unilateral(m) &&
-           !(m->variable_potential && m->time_dependent) && are_smooth(c);
+    const double mass = c->number[c->m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
+    return mass > 0.0 && c->tolerance > 0.0 && c->s.head[S_HELD] < MOST_HELD && allows_explicit(c);
 }
 
 /* Whether the state is the end of an explicit step. */
@@ -247,19 +251,6 @@ HM_SELDOM static double difference_of_stages(const context *at, const runge_kutt
     const double first = h * size_of_sum(at, x->difference[0], x->stages);
     if (x->differences == 1 || first == 0.0) return first;
     return first * first / hm_hypot(first, 0.1 * h * size_of_sum(at, x->difference[1], x->stages));
-}
-
-/* Square of the mass norm of u (n), in which islands count as in size_of_sum. */
-HM_SELDOM static double norm2_of_islands(const context *at, const double *u)
-{
-    const double all = mass_of_all(at);
-    double sum = 0.0;
-    for (int32_t island = 0; island < at->m->n_islands; island++) {
-        const double weight = weight_of_island(at, island, all);
-        const span nodes = free_nodes(at, island);
-        for (int32_t a = nodes.begin; a < nodes.end; a++) sum += weight * at->number[at->m->node_mass_at + a] * dot(u + DIM * a, u + DIM * a);
-    }
-    return sum;
 }
 
 /* Part of the difference from the first step of lower order that rows leave free. Factors are those of the end. */

@@ -21,7 +21,7 @@ HM_SELDOM static double sampled_work(const context *c, int32_t kind, int32_t j)
     if (kind == SAMPLED_LOAD) return load_work(c, j);
     if (kind == SAMPLED_MOMENT) return moment_work(c, j);
     if (kind == SAMPLED_BODY_MOMENT) return body_moment_work(c, j);
-    if (composite_slopes(c, j, 0, &result)) return 0.0;
+    if (composite_slopes(c, j, SLOPES_ALONE, &result)) return 0.0;
     return c->number[c->m->drive_at + j] * result.mechanical;
 }
 

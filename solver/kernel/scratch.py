@@ -20,8 +20,11 @@ WORK = {
     "signal_bend": "n_signals",  # second derivatives
     "jet": "2 * n_numbers",  # rates and second derivatives of the numbers, see jets.c
     "bounds": "4 * n_numbers * switching",  # of the numbers and their rates, see ranges.c
-    "watched": "2 * switching + 4 * n_switches",  # from when to when, and switches crossed
-    # meanwhile; and their arguments at the ends of steps, see switch_event.h
+    "watched": "2 * switching", "seen": "n_switches",  # from when to when; switches crossed then
+    "argument_begin": "n_switches", "argument_low": "n_switches",  # of switches, at the start and
+    "argument_high": "n_switches", "argument_tried": "n_switches",  # ends of steps: switch_event.h
+    "argument_least": "2 * n_switches", "argument_largest": "2 * n_switches",  # each with its time
+    "by_rounding": "n_switches",  # whether a switch is off its side by rounding alone
     "switch_backup": "n_state * switching",  # before a step that a switch may cut
     "phi0": "n_rows", "phi": "n_rows",  # at the beginning, and the function that shall vanish
     "lambda": "n_rows", "mu": "n_rows",  # multiplier held fixed, total multiplier
@@ -81,7 +84,8 @@ WORK = {
     "hit_reach": "n * n_hit_rows",  # velocities that unit impulses bring about, see impact.h
     "hit_matrix": "n_hit_rows * n_hit_rows",
     "hit_force": "n_hit_forces * n_hit_rows",  # impulses in joints that rub, of unit impulses
-    "hit": "9 * n_hit_rows",  # six vectors of numbers and five of integers, see map_hit
+    "hit_norms": "n_hit_forces",  # integers: whether each belongs to the norm of the one before
+    "hit": "10 * n_hit_rows",  # seven vectors of numbers and six of integers, see map_hit
     "hit_scratch": "IMPACT_SCRATCH(n_hit_rows)",
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }

@@ -35,7 +35,7 @@ static void sense(const context *c, double h, int parity)
    they do, but not where a law that jumps, as friction written with sign, has left no solution. */
 static int reads_the_step(const context *c)
 {
-    return c->m->sensing && hm_tolerance(c->s.head) > 0.0 && !c->stepping && !c->foretells;
+    return c->m->sensing && c->tolerance > 0.0 && !c->stepping && !c->foretells;
 }
 
 /* Laws at the middle of the present increment d: so half steps are symmetric, and weighted covers keep their order. Potentials do not

@@ -88,6 +88,9 @@ void hm_say_dead_centre(hm_text *text, const hm_model_file *file, const double *
 /* Says what moved far when the mechanism was closed, and whether other poses are as near; whether there is something to say. */
 int hm_say_closing(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state);
 
+/* Says what steps the settings choose; `is_explicit`: whether some of them are. */
+void hm_say_steps(hm_text *text, const double *head, int is_explicit);
+
 /* Remarks on a run that goes on, each once; that its steps are too long again when it has lasted as long as it was to. */
 enum hm_remark { REMARK_ORDER = 1, REMARK_LEDGER = 2, REMARK_SAMPLING = 4, REMARK_COARSENESS = 8, REMARK_COARSE_RUN = 16, REMARK_NUMBERS = 32 };
 

@@ -18,14 +18,24 @@ static int is_off_side(int kind, double g, double side)
     return side > 0.0 ? g < 0.0 : side < 0.0 ? g > 0.0 : g != 0.0;
 }
 
-/* Remembers that a switch was off its side within the step at hand, where laws are evaluated at time t. */
+/* How far an argument is off its side, or -INFINITY; not a number where it has no value. */
+static double beyond_side(int kind, double g, double side)
+{
+    if (kind == SWITCH_LEVEL) return g == g ? fmax(side - g, g - side - 1.0) : g;
+    return side == 0.0 ? fabs(g) : -side * g;
+}
+
+/* Remembers arguments of switches where laws are evaluated at time t within the step at hand, and that one was off its side. */
 HM_SELDOM static void watch_switches(const context *c, double t)
 {
-    double *seen = c->k.watched + 2;
+    double *seen = c->k.seen, *least = c->k.argument_least, *largest = c->k.argument_largest;
     if (!(t > c->k.watched[0] && t < c->k.watched[1])) return;
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);
-        if (x->is_of_motion && is_off_side(x->kind, c->number[x->argument], c->s.side[k])) seen[k] = 1.0;
+        const double g = c->number[x->argument];
+        if (x->is_of_motion && is_off_side(x->kind, g, c->s.side[k])) seen[k] = 1.0;
+        if (!(g >= least[2 * k + 1])) least[2 * k] = t, least[2 * k + 1] = g;
+        if (!(g <= largest[2 * k + 1])) largest[2 * k] = t, largest[2 * k + 1] = g;
     }
 }
 

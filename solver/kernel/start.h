@@ -75,7 +75,7 @@ static int32_t add_function_sigmas(const context *c, double *sigma)
         const int32_t size = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
         composite_result result = {0.0, 0.0, 0.0};
-        const int32_t status = composite_slopes(&step, j, 1, &result);
+        const int32_t status = composite_slopes(&step, j, WITH_ENDS, &result);
         if (status) return status;
         local_gradients(&step, j);
         for (int32_t k = 0; k < DIM * size; k++) {
@@ -235,7 +235,7 @@ static int32_t residual_at_state(const context *at)
         composite_result unused;
         double power;
         if (!is_damped(at, j)) continue;
-        if ((status = composite_slopes(at, j, 0, &unused))) break;
+        if ((status = composite_slopes(at, j, SLOPES_ALONE, &unused))) break;
         const double share = damping_at_state(at, j, &power);
         add_slopes(at, j, AT_STATE * share);
     }

@@ -9,7 +9,7 @@
 static inline double usual_length(const context *c)
 {
     const double *head = c->s.head;
-    return hm_tolerance(head) > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
+    return c->tolerance > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
 }
 
 /* Round-off of the coordinates in the mass norm. */

@@ -78,7 +78,7 @@ static int32_t take_step(context *c, double h)
         undo_step(c, t, law_time);
     }
     if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 6; /* of order 4 nothing tells how fast differences fall, at a kink for one */
-    const int is_judged = hm_tolerance(c->s.head) > 0.0;
+    const int is_judged = c->tolerance > 0.0;
     const int is_first = c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
     if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1);
     if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0);

@@ -3,7 +3,8 @@
    Within a step all laws are as they are on the sides at its beginning. After it, and wherever it has evaluated the laws, one looks
    whether a switch of the motion is off its side. If so the step is made anew, of other lengths, until it ends just behind the first
    crossing: an accepted step is one like any other, of the method's order. A formula that has no value beyond its switch, as
-   sqrt(x) if x > 0, makes the step fail there: then it ends just before. */
+   sqrt(x) if x > 0, makes the step fail there: then it ends just before. If none is off its side, but a parabola through an argument
+   at both ends and inside comes near to its level, the step is made to where it turns, to look there. */
 #ifndef HOLONOM_SWITCH_EVENT_H
 #define HOLONOM_SWITCH_EVENT_H
 
@@ -11,13 +12,22 @@
 #include "stepped.h"
 #include "switches.h"
 
-enum { MOST_CHANGES = 1000, MOST_TRIALS = 200 }; /* changes of sides in a communication step; lengths of a step that ends at one */
+/* Changes of sides in a communication step, and in turn without a pause; lengths of a step that ends at a switch. */
+enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
+enum { MOST_LOOKS = 8 }; /* places at which an argument that comes near to its level is looked for to turn */
+#define NEAR 0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
 #define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
 
-typedef int32_t (*step_function)(context *, double);
+/* A piece of a communication step: a step from time t, which ends at a switch at the latest. */
+typedef struct piece {
+    double t, length;
+    int32_t (*take)(context *, double); /* step of that length */
+    int32_t status;                     /* of the last one taken */
+    int stops, crossed; /* whether a switch of the time changes at its end, or one of the motion, which is just behind the level then */
+} piece;
 
-/* Before a step from the present state, which find_switch may make anew. */
+/* Before a step of a piece is taken from the present state, maybe several times with other lengths. */
 static void begin_watched(context *c, double h)
 {
     if (!c->m->n_motion_switches) return;
@@ -26,26 +36,82 @@ static void begin_watched(context *c, double h)
     keep_state(c, c->k.switch_backup);
     c->k.watched[0] = c->t + rounding_of_time(c->t, h);
     c->k.watched[1] = c->t + h + rounding_of_time(c->t, h);
-    memset(c->k.watched + 2, 0, sizeof(double) * (size_t)c->m->n_switches);
+    for (int32_t k = 0; k < c->m->n_switches; k++) {
+        c->k.seen[k] = 0.0;
+        c->k.argument_begin[k] = c->number[switch_of(c, k)->argument];
+        c->k.argument_least[2 * k + 1] = INFINITY;
+        c->k.argument_largest[2 * k + 1] = -INFINITY;
+    }
 }
 
 static int has_seen_switch(const context *c)
 {
     for (int32_t k = 0; k < c->m->n_switches && c->m->n_motion_switches; k++)
-        if (c->k.watched[2 + k] != 0.0) return 1;
+        if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0) return 1;
     return 0;
 }
 
-/* The same step with another length, from time t. */
-static int32_t step_anew(context *c, step_function take, double t, double h)
+#define ARGUMENT_ROUNDED 1e-12 /* part of size and speed of the mechanism, within which quantities are known */
+
+/* How far an argument may be off by rounding: how wide its range is where quantities are known within a part of size and speed. */
+HM_SELDOM static double rounding_of(const context *c, const switch_place *x)
 {
-    restore_state(c, c->k.switch_backup, t, t);
+    const holonom_model *m = c->m;
+    const double speed = fmax(fastest_rate(c, c->s.v), speed_scale(c) / c->number[m->extent_at + 1]);
+    hm_stop_ranges(m, c->number, x->segment, c->k.bounds);
+    for (int32_t j = 0; j < m->n_active; j++) {
+        const double off = ARGUMENT_ROUNDED * (m->quantity_kind[j] == QUANTITY_ANGLE ? 1.0 : c->number[m->extent_at]);
+        const double value = c->number[m->sensor_at + j], rate = c->number[m->sensor_rate_at + j];
+        hm_set_range(c->k.bounds, m->sensor_at + j, value - off, value + off, 0.0, 0.0);
+        hm_set_range(c->k.bounds, m->sensor_rate_at + j, rate - off * speed, rate + off * speed, 0.0, 0.0);
+    }
+    hm_run_ranges(m, c->number, x->segment, c->k.bounds);
+    const double *range = c->k.bounds + 4 * (int64_t)x->argument, wide = range[1] - range[0];
+    return wide < INFINITY ? wide : 0.0;
+}
+
+/* Whether an argument is off the side of switch k, and not by rounding alone. */
+static int is_off(const context *c, int32_t k, double g)
+{
+    const switch_place *x = switch_of(c, k);
+    return x->is_of_motion && is_off_side(x->kind, g, c->s.side[k]) && c->k.by_rounding[k] == 0.0;
+}
+
+/* Forgives switches that are off their sides by rounding in a step just made with this status: a quantity that rows hold at 0 has either
+   sign. A step that failed tells nothing of it. */
+HM_SELDOM static void forgive_rounding(context *c, int32_t status)
+{
+    memset(c->k.by_rounding, 0, sizeof(double) * (size_t)c->m->n_switches);
+    if (status) return;
+    c->k.watched[1] = -INFINITY;
     sense(c, 0.0, 0);
-    set_laws(c, t, 0);
+    set_laws(c, c->t, 1);
+    for (int32_t k = 0; k < c->m->n_switches; k++) {
+        const switch_place *x = switch_of(c, k);
+        const double side = c->s.side[k], end = c->number[x->argument];
+        if (!x->is_of_motion || !(c->k.seen[k] != 0.0 || is_off(c, k, end))) continue;
+        double beyond = beyond_side(x->kind, end, side);
+        for (const double *inside = c->k.argument_least + 2 * k; inside <= c->k.argument_largest + 2 * k; inside += 2 * (int64_t)c->m->n_switches)
+            beyond = fmax(beyond, inside[1] != inside[1] ? INFINITY : beyond_side(x->kind, inside[1], side));
+        c->k.by_rounding[k] = end == end && beyond <= rounding_of(c, x);
+    }
+}
+
+static void return_to_start(context *c, const piece *x) { restore_state(c, c->k.switch_backup, x->t, x->t); }
+
+/* The step of a piece with another length. */
+static void step_anew(context *c, piece *x, double h)
+{
+    return_to_start(c, x);
+    sense(c, 0.0, 0);
+    set_laws(c, x->t, 0);
     begin_watched(c, h);
     c->unweighted = 0;
-    return take(c, h);
+    x->status = x->take(c, h);
 }
+
+/* Whether the last step of a piece has failed, and no switch in it tells why. */
+static int fails_otherwise(const context *c, const piece *x) { return x->status && !has_seen_switch(c); }
 
 /* Arguments of the switches of the motion at the present state (n_switches, overwritten); whether one is off its side. */
 static int look_at_switches(context *c, double *argument)
@@ -57,98 +123,173 @@ static int look_at_switches(context *c, double *argument)
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);
         argument[k] = c->number[x->argument];
-        off |= x->is_of_motion && is_off_side(x->kind, argument[k], c->s.side[k]);
+        off |= is_off(c, k, argument[k]);
     }
     return off;
 }
 
-/* Where between two lengths the first switch is crossed, by lines through the arguments there; their middle where these do not tell. */
-static double crossing_between(const context *c, double low, double high, const double *at_low, const double *at_high)
-{
-    double first = high;
-    for (int32_t k = 0; k < c->m->n_switches; k++) {
-        const switch_place *x = switch_of(c, k);
-        const double side = c->s.side[k], level = x->kind == SWITCH_LEVEL ? side + (at_high[k] >= side) : 0.0;
-        if (!x->is_of_motion || !is_off_side(x->kind, at_high[k], side)) continue;
-        const double part = (level - at_low[k]) / (at_high[k] - at_low[k]);
-        first = fmin(first, part >= 0.0 && part <= 1.0 ? low + part * (high - low) : low + 0.5 * (high - low));
-    }
-    return first;
-}
-
-/* Whether the end of a step from time t, made with this status, is behind a switch; arguments there are overwritten. A step that
-   fails behind one has none. */
+/* Whether the end of a step made with this status is behind a switch; arguments there are overwritten. A step that fails behind one
+   has none. */
 static int is_behind(context *c, int32_t status, double *argument)
 {
     if (!status) return look_at_switches(c, argument);
-    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.watched[2 + k] != 0.0 ? NAN : c->s.side[k];
+    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0 ? NAN : c->s.side[k];
     return 1;
 }
+
+/* Where the parabola through three places is lowest, and how low it is there; NaN if it is not between them. */
+static double lowest_between(const double *x, const double *y, double *least)
+{
+    const double before = (y[1] - y[0]) / (x[1] - x[0]), after = (y[2] - y[1]) / (x[2] - x[1]), bend = (after - before) / (x[2] - x[0]);
+    const double lowest = 0.5 * (x[0] + x[1] - before / bend);
+    *least = y[0] + (lowest - x[0]) * (before + (lowest - x[1]) * bend);
+    return bend > 0.0 && lowest > x[0] && lowest < x[2] ? lowest : NAN;
+}
+
+/* Looks in a piece, just taken, for a switch that leaves its side upwards (way = 1) or downwards (-1) and comes back, where a
+   parabola through its arguments at the ends and inside comes near to the level. Returns a length at which one is off its side or was
+   seen so, the step to which is made, or 0: then the whole piece is taken again. */
+HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
+{
+    const switch_place *x = switch_of(c, k);
+    const double h = step->length, side = c->s.side[k], *inside = (way < 0 ? c->k.argument_least : c->k.argument_largest) + 2 * k;
+    const double level = x->kind == SWITCH_LEVEL ? side + (way > 0) : side * way < 0.0 ? 0.0 : (double)way * INFINITY;
+    double place[] = {0.0, inside[0] - step->t, h}, *at = c->k.argument_tried;
+    double left[] = {way * (level - c->k.argument_begin[k]), way * (level - inside[1]), way * (level - c->k.argument_high[k])};
+    int tried = 0;
+    while (x->is_of_motion && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
+        double least;
+        const double lowest = lowest_between(place, left, &least);
+        if (!(lowest > NO_PIECE * h && least < NEAR * (fmax(left[0], left[2]) - least))) break;
+        step_anew(c, step, lowest);
+        if (is_behind(c, step->status, at) || has_seen_switch(c)) return lowest;
+        const double there = way * (level - at[k]);
+        const int is_better = !tried++ || there < left[1], is_before = lowest < place[1], end = is_before == is_better ? 2 : 0;
+        if (tried > 1) place[end] = is_better ? place[1] : lowest, left[end] = is_better ? left[1] : there;
+        if (is_better) place[1] = lowest, left[1] = there;
+    }
+    if (tried) step_anew(c, step, h);
+    return 0.0;
+}
+
+/* The same for all switches. */
+HM_SELDOM static double find_turns(context *c, piece *x)
+{
+    double turn = 0.0;
+    for (int32_t k = 0; k < c->m->n_switches && turn == 0.0; k++)
+        for (int way = -1; way <= 1 && turn == 0.0 && !x->status; way += 2) turn = find_turn(c, x, k, way);
+    return turn;
+}
+
+/* Shortens a piece, just taken, until it ends behind a switch, or none in it shows: one may be crossed there and back. Arguments at its
+   end are overwritten; returns whether it ends behind one. */
+static int shorten_to_switch(context *c, piece *x, double *argument)
+{
+    const double least = CLOSER * x->length;
+    for (;;) {
+        if (fails_otherwise(c, x)) return 0;
+        if (is_behind(c, x->status, argument)) return 1;
+        if (!(x->length > least)) return 0;
+        const int is_seen = has_seen_switch(c);
+        const double shorter = is_seen ? 0.5 * x->length : find_turns(c, x);
+        if (shorter == 0.0) return 0;
+        x->length = shorter;
+        x->stops = 0;
+        if (is_seen) step_anew(c, x, shorter);
+    }
+}
+
+/* Two lengths of a piece, which end ahead of the first switch and behind it, and the arguments of switches there. */
+typedef struct bracket {
+    double low, high, *at_low, *at_high;
+    int32_t failed; /* why there is no step of length `high`, or 0 */
+} bracket;
 
 /* Whether a switch that stands on its level leaves it in a step. */
 static int leaves_level(const context *c, const double *argument)
 {
     for (int32_t k = 0; k < c->m->n_switches; k++)
-        if (switch_of(c, k)->is_of_motion && switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0 && argument[k] != 0.0) return 1;
+        if (switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0 && is_off(c, k, argument[k])) return 1;
     return 0;
 }
 
-/* Ends a step of length *h from time t, just made with this status, at the first crossing of a switch in it, if there is one:
-   *crossed = 1, and *h is its length then, 0 if that is where it begins. */
-HM_SELDOM static int32_t find_switch(context *c, step_function take, double t, double *h, int32_t status, int *crossed)
+/* Length at which the first switch is crossed, by lines through the arguments; the middle where these do not tell. */
+static double crossing_in(const context *c, const bracket *b)
+{
+    double first = b->high;
+    for (int32_t k = 0; k < c->m->n_switches; k++) {
+        const switch_place *x = switch_of(c, k);
+        const double side = c->s.side[k], low = b->at_low[k], high = b->at_high[k];
+        if (!is_off(c, k, high)) continue;
+        const double part = ((x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0) - low) / (high - low);
+        first = fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
+    }
+    return first;
+}
+
+/* Next length to try: where lines lead, and by turns a little behind, since one end may not stand still; the middle where the step
+   behind fails, or three tries have not halved the bracket. */
+static double next_length(const context *c, const bracket *b, int trial, double last, double round)
+{
+    const double width = b->high - b->low, guess = crossing_in(c, b), behind = guess + fmax(0.1 * fmin(guess - b->low, b->high - guess), 0.5 * round);
+    if (b->failed || (width > 0.5 * last && trial % 3 == 2) || !(behind > b->low && behind < b->high)) return b->low + 0.5 * width;
+    return trial % 2 ? behind : fmax(guess, b->low + 0.5 * round);
+}
+
+/* Ends a piece, just taken, at the first crossing of a switch of the motion in it, if there is one: its length is 0 then if that is where
+   it begins. */
+HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
     const int32_t n = c->m->n_switches;
-    double *at_low = c->k.watched + 2 + n, *at_high = at_low + n, *at = at_high + n;
-    const double least = CLOSER * *h, round = 4e-16 * (fabs(t) + *h);
-    double low = 0.0, high = *h, made = *h, last = INFINITY;
-    *crossed = 0;
-    if (!n || !c->m->n_motion_switches) return status;
-    if (status && !has_seen_switch(c)) return status;
-    int32_t failed = status;
-    while (!is_behind(c, status, at_high)) { /* it may have been crossed there and back */
-        if (!has_seen_switch(c) || !(high > least)) {
-            *h = high;
-            return HOLONOM_OK;
-        }
-        made = high = 0.5 * high;
-        failed = status = step_anew(c, take, t, high);
-        if (status && !has_seen_switch(c)) return status;
-    }
-    restore_state(c, c->k.switch_backup, t, t);
+    const double round = 4e-16 * (fabs(x->t) + x->length);
+    double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried, last = INFINITY;
+    x->crossed = 0;
+    if (!c->m->n_motion_switches) return x->status;
+    forgive_rounding(c, x->status);
+    if (!shorten_to_switch(c, x, at_high)) return x->status;
+    const double whole = x->length;
+    bracket b = {0.0, whole, at_low, at_high, x->status};
+    double made = whole;
+    return_to_start(c, x);
     look_at_switches(c, at_low);
-    const double whole = high;
-    if (leaves_level(c, at_high)) high = 0.0;
-    for (int trial = 0; trial < MOST_TRIALS && high - low > round; trial++) {
-        const double width = high - low, guess = crossing_between(c, low, high, at_low, at_high);
-        const int halves = failed || (width > 0.5 * last && trial % 3 == 2);
-        const double behind = guess + fmax(0.1 * fmin(guess - low, high - guess), 0.5 * round); /* an end may not stand still */
-        made = halves || !(behind > low && behind < high) ? low + 0.5 * width : trial % 2 ? behind : fmax(guess, low + 0.5 * round);
-        if (!(made > low && made < high)) break;
-        last = width;
-        status = step_anew(c, take, t, made);
-        if (status && !has_seen_switch(c) && !failed) return status;
-        const int is_late = is_behind(c, status, at);
+    if (leaves_level(c, at_high)) b.high = 0.0;
+    for (int trial = 0; trial < MOST_TRIALS && b.high - b.low > round; trial++) {
+        const double next = next_length(c, &b, trial, last, round);
+        if (!(next > b.low && next < b.high)) break;
+        last = b.high - b.low;
+        step_anew(c, x, made = next);
+        if (fails_otherwise(c, x) && !b.failed) return x->status;
+        const int is_late = is_behind(c, x->status, at);
         memcpy(is_late ? at_high : at_low, at, sizeof(double) * (size_t)n);
-        if (is_late) high = made, failed = status;
-        else low = made;
+        if (is_late) b.high = made, b.failed = x->status;
+        else b.low = made;
     }
-    int is_known = !failed;
+    int is_known = !b.failed;
     for (int32_t k = 0; k < n; k++) is_known |= at_high[k] != at_high[k];
-    if (!is_known) return failed; /* for another reason */
-    *h = failed ? low : high;
-    *crossed = 1;
-    if (!(*h > NO_PIECE * whole)) {
-        *h = 0.0;
-        restore_state(c, c->k.switch_backup, t, t);
-        return HOLONOM_OK;
-    }
-    return made == *h && !status ? HOLONOM_OK : step_anew(c, take, t, *h);
+    if (!is_known) return x->status = b.failed; /* for another reason */
+    x->length = b.failed ? b.low : b.high;
+    x->crossed = 1;
+    if (!(x->length > NO_PIECE * whole)) {
+        x->length = 0.0;
+        x->status = HOLONOM_OK;
+        return_to_start(c, x);
+    } else if (made != x->length || x->status)
+        step_anew(c, x, x->length);
+    return x->status;
+}
+
+/* Takes a piece from the present state. */
+static int32_t take_to_switch(context *c, piece *x)
+{
+    c->unweighted = 0;
+    begin_watched(c, x->length);
+    x->status = x->take(c, x->length);
+    return find_switch(c, x);
 }
 
 /* Signals and their rates (signal1, signal_before) at time t, on the sides that they leave. */
 static void keep_signals(const context *c, double t)
 {
-    if (!c->m->n_signals) return;
     signals_at(c, t, c->k.signal1);
     signal_rates_at(c, t, c->k.signal_before);
 }
@@ -156,18 +297,15 @@ static void keep_signals(const context *c, double t)
 /* Begins anew on other sides from time t on. Signals and their rates were those of keep_signals. */
 HM_SELDOM static int32_t begin_on_sides(context *c, double t)
 {
-    double *now = c->k.signal_rate;
-    int jumps = 0;
-    if (c->m->n_signals) signals_at(c, t, now);
-    for (int32_t b = 0; b < c->m->n_signals; b++)
-        if (has_another_value(now[b], c->k.signal1[b])) return HOLONOM_SIGNAL_JUMPS;
-    if (c->m->n_signals) signal_rates_at(c, t, now);
-    for (int32_t b = 0; b < c->m->n_signals; b++) jumps |= now[b] != c->k.signal_before[b];
+    signals_at(c, t, c->k.signal_rate);
+    if (have_jumped(c, c->k.signal_rate, c->k.signal1)) return HOLONOM_SIGNAL_JUMPS;
     c->stop = NAN;
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
-    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES)) return HOLONOM_LAW_SWITCHES;
-    return jumps ? jump_with_signals(c) : HOLONOM_OK;
+    c->quick = t - c->switched > c->pause ? 0 : c->quick + 1;
+    c->switched = t;
+    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->quick < MOST_QUICK)) return HOLONOM_LAW_SWITCHES;
+    return jump_with_signals(c, t);
 }
 
 /* Blames a switch, by its number and 1, for a failure at it. */
@@ -181,7 +319,7 @@ static int32_t blame_switch(context *c, int32_t status, int32_t k)
 HM_SELDOM static int32_t pass_time(context *c, double time)
 {
     keep_signals(c, time);
-    double *before = c->k.watched + 2 + c->m->n_switches;
+    double *before = c->k.argument_low;
     memcpy(before, c->s.side, sizeof(double) * (size_t)c->m->n_switches);
     settle_sides(c, time, 1);
     int32_t first = c->m->n_switches - 1;
@@ -195,7 +333,7 @@ HM_SELDOM static int32_t pass_time(context *c, double time)
 HM_SELDOM static int32_t pass_motion(context *c)
 {
     const int32_t n = c->m->n_switches;
-    const double *at_high = c->k.watched + 2 + 2 * n;
+    const double *at_high = c->k.argument_high;
     int32_t last = 0;
     keep_signals(c, c->t);
     sense(c, 0.0, 0);
@@ -203,7 +341,7 @@ HM_SELDOM static int32_t pass_motion(context *c)
     for (int32_t k = 0; k < n; k++) {
         const switch_place *x = switch_of(c, k);
         const double g = at_high[k], side = c->s.side[k];
-        if (!x->is_of_motion || !is_off_side(x->kind, g, side)) continue;
+        if (!is_off(c, k, g)) continue;
         last = k;
         if (x->kind == SWITCH_LEVEL) c->s.side[k] = g == g ? floor(g) : c->number[x->argument] < side + 0.5 ? side - 1.0 : side + 1.0;
         else c->s.side[k] = g == g ? (double)((g > 0.0) - (g < 0.0)) : -side;
@@ -212,22 +350,25 @@ HM_SELDOM static int32_t pass_motion(context *c)
     return blame_switch(c, begin_on_sides(c, c->t), last);
 }
 
-/* Shortens a step from time t, in a communication step of length `step` that goes on for `rest`, to the next switch of the time;
-   passes it if it is now. *stops = 1 if it ends at one. */
-HM_SELDOM static int32_t stop_at_switch(context *c, double t, double rest, double step, double *h, int *stops)
+/* Changes the sides of the switch at the end of a piece, if it has come there. */
+static int32_t pass_switch(context *c, const piece *x)
 {
-    const double round = rounding_of_time(t, step);
+    return x->crossed ? pass_motion(c) : x->stops ? pass_time(c, c->stop) : HOLONOM_OK;
+}
+
+/* Shortens a piece, in a communication step of length `step` that goes on for `rest`, to the next switch of the time, which is passed
+   if it is now. */
+HM_SELDOM static int32_t stop_at_switch(context *c, piece *x, double rest, double step)
+{
+    const double t = x->t, round = rounding_of_time(t, step);
     double stop;
-    *stops = 0;
     if (!c->m->switching) return HOLONOM_OK;
     while ((stop = next_stop(c, t, c->start + step)) <= t + round) {
         const int32_t status = pass_time(c, stop);
         if (status) return status;
     }
-    if (stop < t + rest - round && stop <= t + *h + round) {
-        *h = stop - t;
-        *stops = 1;
-    }
+    x->stops = stop < t + rest - round && stop <= t + x->length + round;
+    if (x->stops) x->length = stop - t;
     return HOLONOM_OK;
 }
 

@@ -52,7 +52,7 @@ HM_SELDOM static void run_arguments(const context *c, double t)
 HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
 {
     const holonom_model *m = c->m;
-    double *sides = c->k.watched + 2;
+    double *sides = c->k.seen;
     if (!m->switching) return;
     if (m->sensing) sense(c, 0.0, 0);
     set_laws(c, t, is_booked);

@@ -79,11 +79,13 @@ static int32_t composite_tangent(const context *c, double *value)
         composite_result result = {0.0, 0.0, 0.0};
         const enum row_state state = state_of_row(c, j);
         if (((is_lean(c) || c->constraints_only) && !row) || state == ROW_IS_OFF) continue;
-        const int32_t status = composite_slopes(c, j, 1, &result);
+        const double factor = row ? c->h * c->k.mu[row_of(c, j)] : c->h;
+        const int is_stiff = !is_lean(c) && factor != 0.0 && !(c->soft && state == ROW_IS_SLIDING);
+        const int32_t status = composite_slopes(c, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS, &result);
         if (status) return status;
         const int32_t size = local_gradients(c, j);
-        const double factor = row ? c->h * c->k.mu[row_of(c, j)] : c->h;
-        if (!is_lean(c)) {
+        if (!is_lean(c) && !is_stiff) slot += size * size;
+        if (is_stiff) {
             const double *block = c->k.block;
             composite_stiffness(c, j, size);
             for (int32_t k = 0; k < size * size; k++) value[*slot++] += factor * block[k];
@@ -208,7 +210,7 @@ static int32_t add_composites(const context *c)
             c->k.phi[row] = 0.0;
             continue;
         }
-        const int32_t status = composite_slopes(c, j, 0, &result);
+        const int32_t status = composite_slopes(c, j, SLOPES_ALONE, &result);
         if (status) return status;
         double factor = c->h;
         if (row >= 0) {

@@ -79,7 +79,7 @@ class Status(IntEnum):
     AT_DEAD_CENTRE = 16  # velocities at the start belong to no motion: rows lack accelerations
     STOPPED = 17  # who waits for the step has asked for its end
     BAD_DRIVER = 18  # the value, rate or second derivative of a signal is not finite
-    MESH_EVENTS = 19  # contacts or laws change in another order than in the recorded run
+    MESH_EVENTS = 19  # contacts or frictions change in another order than in the recorded run
     MESH_METHODS = 20  # a step cannot be taken as it was in the recorded run
     MESH_STEPPED = 21  # the recorded run has steps whose contacts change without being located
     LAW_SWITCHES = 22  # a law changes sides more often in a communication step than it may

@@ -276,6 +276,13 @@ class Integrator:
             self.state.head["time"] = start_time
         self._end(self._library.holonom_assemble(self._instance))
 
+    def steps(self, has_explicit: bool = True) -> str:
+        """Return in words which steps the settings choose.
+
+        `has_explicit` is False where a run has shown that none is explicit.
+        """
+        return self._library.holonom_steps(self._instance, has_explicit).decode()
+
     def begin(self) -> None:
         """End the start: what is set from now on is for the step to come, as after a step.
 

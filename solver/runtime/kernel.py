@@ -49,6 +49,7 @@ FUNCTIONS = {
     "word": (ctypes.c_char_p, [_POINTER, _INTEGER, _REAL]),
     "number_of_word": (_REAL, [_POINTER, _INTEGER, ctypes.c_char_p]),
     "assemble": (_INTEGER, [_POINTER]),
+    "steps": (ctypes.c_char_p, [_POINTER, _INTEGER]),
     "begin": (None, [_POINTER]),
     "let_look": (None, [_POINTER, LOOK]),
     "use_mesh": (None, [_POINTER, _POINTER]),

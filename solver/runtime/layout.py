@@ -307,6 +307,8 @@ HEAD = (
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
+    "jams", "newton_impacts",  # impacts in it that jammed, and where Newton's law stood in for the
+    # energetic sweep, see impact_sweep.h
     "switched",  # changes of sides of laws in the last step, see switch_event.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
@@ -398,7 +400,7 @@ MESH_TAKEN = ("pairs", "cover", "finest", "explicit", "short", "stepped")
 """How an internal step was taken: by pairs of half steps, a weighted cover, the finest cover alone,
 explicitly, by Taylor's series, or with contacts that change without being located."""
 MESH_ENDS = ("length", "event", "stop")
-"""What ended it: its length, a switch of laws, an event of contacts, a slip in space that stops."""
+"""What ended it: its length, an event of contacts, a slip in space that stops."""
 
 STATE = {
     "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over
@@ -460,7 +462,8 @@ MEASURED = {
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts
-    "contact_solver": "2 * unilateral",  # events of the last step, whether it was stepped
+    "contact_solver": "4 * unilateral",  # events of the last step, whether it was stepped, jams,
+    # impacts by Newton's law
 }
 """Groups of measurements, in the section `measured` of the numbers."""
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
-from solver.options import OPTIONS
+from solver.options import DEFAULTS, OPTIONS, tolerance_of
 from solver.scene.body_sizes import TINY, places_of_bodies, squared_sizes
 from solver.scene.draft import Draft
 from solver.scene.expression import Number, curves_of, evaluate
@@ -23,6 +23,8 @@ LARGE = 100.0
 """Length in m from which it may be one in mm, and ratio of one to the next smaller of the scene."""
 SMALL = 5.0
 """Length in mm below which few numbers of a drawing in mm are."""
+COMPOSED = (2.0, 4.0, 6.0)
+"""Orders of which no step is explicit."""
 
 
 def advise(
@@ -33,6 +35,7 @@ def advise(
     """Warn of a scene as a whole, in which no mistake was found; `parts` are by table and name."""
     _unused(numbers)
     _settings_of_contacts(numbers)
+    _settings_of_tolerance(numbers)
     _held(numbers, parts["inputs"])
     _with_corners(numbers.draft, profiles, parts)
     _welded_twice(numbers.draft, parts["joints"])
@@ -58,6 +61,25 @@ def _settings_of_contacts(numbers: NumberChecks) -> None:
         if not numbers.known.touches and OPTIONS[name].of_contacts:
             message = "has no effect: nothing touches or rubs"
             numbers.draft.warn(("solver", name), message, "leave it out, or write [contacts]")
+
+
+def _settings_of_tolerance(numbers: NumberChecks) -> None:
+    """Warn of settings of chosen steps where steps are equal, or of an order that none takes so."""
+    given = numbers.draft.table("solver")
+    settings = {**DEFAULTS, **given}
+    if tolerance_of(settings):
+        if settings["method"] == "fastest" and settings["order"] in COMPOSED:
+            message = f"has no effect: no step of order {settings['order']:g} is explicit"
+            numbers.draft.warn(
+                ("solver", "method"), message, "leave it out, or leave out the order"
+            )
+        return
+    for name in given:
+        in_use = name == "longest_step" and numbers.known.touches  # where impacts are not located
+        if OPTIONS[name].of_tolerance and settings[name] != DEFAULTS[name] and not in_use:
+            message = "has no effect on steps of fixed length, which this scene has"
+            help = "leave it out, or write a tolerance in place of step_size and order"
+            numbers.draft.warn(("solver", name), message, help)
 
 
 def _held(numbers: NumberChecks, inputs: Mapping[str, Input]) -> None:

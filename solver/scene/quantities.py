@@ -140,6 +140,9 @@ WHOLE_OF_CONTACTS: dict[str, tuple[Offer, ...]] = {
         "events": "impacts, other changes of contacts and switches of laws in the last "
         "communication step",
         "stepped": "1 if the last communication step was not cut at its impacts, else 0",
+        "jams": "impacts in the last communication step that jammed by strong friction",
+        "newton_impacts": "impacts in the last communication step by Newton's restitution, where "
+        "the energetic law found no impulses",
     }),
 }  # fmt: skip
 """Likewise where there are contacts, or friction of joints."""

@@ -131,8 +131,10 @@ def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
         reader.draft.error(("experiment", "stop_time"), message)
     tolerance = reader.constant(("experiment", "tolerance"), run.tolerance, 0.0, _TOLERANCE)
     chosen = SolverSettings(**settings)
-    if tolerance and not tolerance_of(chosen.__dict__):
+    if tolerance and tolerance > (own := tolerance_of(chosen.__dict__)):
         message = "has no effect on steps of fixed length, which this scene has"
+        if own:
+            message = f"has no effect: the steps of this scene are for {own:g}, which is tighter"
         help = f"write tolerance = {tolerance:g} in [solver], which chooses order and steps"
         reader.draft.warn(("experiment", "tolerance"), message, help)
     # Whole internal steps, so that the communication step does not change the motion.

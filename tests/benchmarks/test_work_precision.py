@@ -174,7 +174,7 @@ def test_scene_and_numbers_have_the_same_start_and_energy(key):
 def test_the_mechanism_as_drawn_moves_as_the_reduced_equations_say(key):
     problem = replace(problem_of(key), stop=SHORT * problem_of(key).stop)
     method = work_precision_ours.methods(problem)[3]
-    assert method.name == "holonom order 8"
+    assert method.name == "holonom conserving, order 8"
     found = method.observe(problem, 8 * work_precision_ours.DRAWN[key].first)
     q, v, _ = state_of(key, problem.stop)
     # A wrong mass or length would be 1e-3.
@@ -185,7 +185,7 @@ def test_the_mechanism_as_drawn_moves_as_the_reduced_equations_say(key):
 @pytest.mark.parametrize("key", DAMPED)
 def test_with_dampers_orders_2_and_8_come_to_the_reduced_equations(key):
     problem = replace(problem_of(key), stop=0.1 * problem_of(key).stop)
-    plain, *_, eighth, _ = work_precision_ours.methods(problem)
+    plain, _, _, eighth, *_ = work_precision_ours.methods(problem)
     counts = [16 * work_precision_ours.DRAWN[key].first * k for k in (1, 2)]
     coarse, fine = (np.array(plain.observe(problem, n).q) for n in counts)
     q, _, _ = state_of(key, problem.stop)
@@ -195,13 +195,16 @@ def test_with_dampers_orders_2_and_8_come_to_the_reduced_equations(key):
     assert not found.remark
 
 
-def test_a_tolerance_is_a_curve_of_its_own():
+def test_a_tolerance_is_a_curve_of_its_own_for_each_method():
     problem = problem_of("double_pendulum_30")
-    *_, by_tolerance = work_precision_ours.methods(problem)
     right = reference(problem)
-    errors = [distance(by_tolerance.observe(problem, e).q, right.q) for e in (1e-3, 1e-6, 1e-9)]
-    assert errors[0] > errors[1] > errors[2]
-    assert errors[2] < 1e-7
+    *_, conserving, fastest = work_precision_ours.methods(problem)
+    for curve in (conserving, fastest):
+        errors = [distance(curve.observe(problem, e).q, right.q) for e in (1e-3, 1e-6, 1e-9)]
+        assert errors[0] > errors[1] > errors[2]
+        assert errors[2] < 1e-7
+    assert "conserving" in conserving.name
+    assert "fastest" in fastest.name
 
 
 @pytest.mark.parametrize("peer", PEERS, ids=lambda peer: peer.name)

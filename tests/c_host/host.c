@@ -1,6 +1,6 @@
 /* A host in C for unpacked FMUs (FMI 2.0 co-simulation), for the tests:
 
-       host run     LIBRARY RESOURCES INPUT OUTPUT STEPS H    output after each step
+       host run     LIBRARY RESOURCES INPUT OUTPUT STEPS H [TOLERANCE]   output after each step
        host odd     LIBRARY RESOURCES INPUT OUTPUT STEPS H    likewise, in another floating-point mode
        host allocations LIBRARY RESOURCES INPUT OUTPUT STEPS  of memory in so many steps, and of an instance
        host instances LIBRARY RESOURCES INPUT OUTPUT COUNT    allocations by so many, and those not given back
@@ -104,9 +104,10 @@ static void must(int status, text what)
     }
 }
 
-static void initialise(const struct fmu *fmu, component c)
+/* `tolerance`: in words, or NULL where the host gives none. */
+static void initialise(const struct fmu *fmu, component c, text tolerance)
 {
-    must(fmu->fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0), "fmi2SetupExperiment");
+    must(fmu->fmi2SetupExperiment(c, tolerance != NULL, tolerance ? atof(tolerance) : 0.0, 0.0, 0, 0.0), "fmi2SetupExperiment");
     must(fmu->fmi2EnterInitializationMode(c), "fmi2EnterInitializationMode");
     must(fmu->fmi2ExitInitializationMode(c), "fmi2ExitInitializationMode");
 }
@@ -129,7 +130,7 @@ static void end(const struct fmu *fmu, component c)
     fmu->fmi2FreeInstance(c);
 }
 
-static void run(char **a)
+static void run(char **a, text tolerance)
 {
     struct fmu fmu = load(a[0], a[1]);
     component c = instantiate(&fmu);
@@ -137,7 +138,7 @@ static void run(char **a)
     int steps = atoi(a[4]);
     if (steps > MAX_STEPS)
         fail("run", "too many steps");
-    initialise(&fmu, c);
+    initialise(&fmu, c, tolerance);
     take_steps(&fmu, c, (reference)atoi(a[2]), (reference)atoi(a[3]), steps, atof(a[5]), values);
     end(&fmu, c);
     for (int i = 0; i < steps; i++)
@@ -149,7 +150,7 @@ static void run_odd(char **a)
 {
     const unsigned flushing = _mm_getcsr() | 0x8040 | 0x6000;
     _mm_setcsr(flushing);
-    run(a);
+    run(a, NULL);
     if ((_mm_getcsr() & ~0x3fu) != (flushing & ~0x3fu)) /* but for flags of what the host itself has done */
         fail("odd", "the floating-point environment has changed");
 }
@@ -174,7 +175,7 @@ static void allocations(char **a)
     struct fmu fmu = load(a[0], a[1]);
     component c = instantiate(&fmu);
     double values[MAX_STEPS];
-    initialise(&fmu, c);
+    initialise(&fmu, c, NULL);
     const long before = n_allocations;
     take_steps(&fmu, c, (reference)atoi(a[2]), (reference)atoi(a[3]), atoi(a[4]), 0.01, values);
     const reference first = (reference)atoi(a[3]), asked[4] = {first, first + 1, first + 2, first + 3};
@@ -197,7 +198,7 @@ static void instances(char **a)
     for (int i = 0; i < atoi(a[4]); i++) {
         component c = instantiate(&fmu);
         saved state = NULL;
-        initialise(&fmu, c);
+        initialise(&fmu, c, NULL);
         must(fmu.fmi2GetFMUstate(c, &state), "fmi2GetFMUstate");
         must(fmu.fmi2FreeFMUstate(c, &state), "fmi2FreeFMUstate");
         fmu.fmi2FreeInstance(c);
@@ -224,7 +225,7 @@ static void cycles(char **a)
         struct fmu fmu = load(a[0], a[1]);
         component c = instantiate(&fmu);
         double values[5];
-        initialise(&fmu, c);
+        initialise(&fmu, c, NULL);
         take_steps(&fmu, c, (reference)atoi(a[2]), (reference)atoi(a[3]), 5, 0.01, values);
         end(&fmu, c);
         if (dlclose(fmu.library) != 0)
@@ -251,7 +252,7 @@ static void *work(void *data)
     pthread_mutex_lock(&one_at_a_time);
     component c = instantiate(&job->fmu);
     pthread_mutex_unlock(&one_at_a_time);
-    initialise(&job->fmu, c);
+    initialise(&job->fmu, c, NULL);
     take_steps(&job->fmu, c, job->input, job->output, THREAD_STEPS, THREAD_H, job->values);
     end(&job->fmu, c);
     return NULL;
@@ -290,13 +291,13 @@ static void turns(char **a)
     struct fmu first = load(a[0], a[1]), second = load(b[0], b[1]);
     component one = instantiate(&first), two = instantiate(&second);
     for (int again = 0; again < 2; again++) {
-        initialise(&first, one);
+        initialise(&first, one, NULL);
         take_steps(&first, one, (reference)atoi(a[2]), (reference)atoi(a[3]), steps, THREAD_H, values);
         end(&first, one);
         dlclose(first.library);
         printf("%.17g\n", values[steps - 1]);
         if (again == 0) {
-            initialise(&second, two);
+            initialise(&second, two, NULL);
             take_steps(&second, two, (reference)atoi(b[2]), (reference)atoi(b[3]), steps, THREAD_H,
                        values);
             printf("%.17g\n", values[steps - 1]);
@@ -325,8 +326,8 @@ int main(int count, char **arguments)
     text python = getenv("HOST_PYTHON");
     if (python && !dlopen(python, RTLD_NOW | RTLD_GLOBAL))
         fail("HOST_PYTHON", dlerror());
-    if (count == 8 && strcmp(arguments[1], "run") == 0)
-        run(arguments + 2);
+    if ((count == 8 || count == 9) && strcmp(arguments[1], "run") == 0)
+        run(arguments + 2, count == 9 ? arguments[8] : NULL);
     else if (count == 8 && strcmp(arguments[1], "odd") == 0)
         run_odd(arguments + 2);
     else if (count == 7 && strcmp(arguments[1], "allocations") == 0)

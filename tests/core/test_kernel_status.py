@@ -128,7 +128,7 @@ dimension = 2
 [points]
 A = { position = [0, 0], mass = 1.0, velocity = [0.05, 0] }
 [forces]
-brake = { type = "force", point = "A", value = ["-1 if A.vx > 0 else 1", 0] }
+brake = { type = "force", point = "A", value = ["-1 if A.vx + A.vy > 0 else 1", 0] }
 """
 """At rest each side of the law leads back to the other one."""
 
@@ -168,7 +168,7 @@ SENTENCES = {
     Status.IMPACT_UNSOLVED: "contact 'end': no impulses were found that obey the law of impact",
     Status.TOO_MANY_EVENTS: "contact 'floor': contacts change more often than solver.max_events",
     Status.SIGNAL_JUMPS: "driver 'motor': t < 0.03: what it drives would jump to another place",
-    Status.LAW_SWITCHES: "force 'brake': A.vx > 0: it switches more than 1000 times",
+    Status.LAW_SWITCHES: "force 'brake': (A.vx + A.vy) > 0: it switches 1000 times at one moment",
 }
 """What is said of each."""
 

@@ -157,7 +157,7 @@ def test_a_warning_stops_the_checks_of_the_project_but_no_installation(
 ):
     # A newer compiler warns of what none did before: users must not be the ones who find out.
     warns = """
-case "$*" in *-Werror*) echo "holonom.c:1: error: unused"; exit 1;; esac
+case "$*" in *"-Werror "*) echo "holonom.c:1: error: unused"; exit 1;; esac
 while [ "$1" != -o ]; do shift; done
 echo "holonom.c:1: warning: unused"
 echo library > "$2"
@@ -167,6 +167,16 @@ echo library > "$2"
     assert [path.read_text() for path in compiler.compile_kernel(tree)] == 8 * ["library\n"]
     monkeypatch.setenv("CFLAGS", "-Werror")
     with pytest.raises(compiler.CompilerError, match="error: unused"):
+        compiler.compile_kernel(tree)
+
+
+@pytest.mark.skipif(compiler.system_compiler() is None, reason="needs a C compiler")
+def test_a_function_that_nothing_declares_is_an_error(tree, monkeypatch):
+    """It would take and return integers; C99 compilers may let it pass with a warning."""
+    monkeypatch.delenv("CFLAGS", raising=False)
+    source = "int own(int x);\nint own(int x) { return x + unheard_of(x); }\n"
+    (tree / compiler.SOURCES / "holonom.c").write_text(source)
+    with pytest.raises(compiler.CompilerError, match="unheard_of"):
         compiler.compile_kernel(tree)
 
 

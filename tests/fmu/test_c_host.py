@@ -16,7 +16,7 @@ import fmpy
 import pytest
 
 from build_kernel.compiler import system_compiler, zig_compiler
-from tests.fmu_instance import instance, pendulum, scene_fmu
+from tests.fmu_instance import instance, pendulum, scene_fmu, text_fmu
 
 SOURCES = Path(__file__).parents[1].joinpath("c_host")
 H, STEPS = 0.01, 50
@@ -115,10 +115,12 @@ def lines(host: Path, *arguments: str, preload="LD_PRELOAD") -> list[str]:
     return run.stdout.splitlines()
 
 
-def in_fmpy(path: Path, push: str, output: str, h: float, steps: int) -> list[float]:
+def in_fmpy(
+    path: Path, push: str, output: str, h: float, steps: int, tolerance: float | None = None
+) -> list[float]:
     """Output after each step of size h, with an input of 1, 2, 3, ..., in fmpy."""
     with instance(path) as fmu:
-        fmu.initialise()
+        fmu.initialise(tolerance=tolerance)
         return list(_values(fmu, push, output, h, steps))
 
 
@@ -273,3 +275,59 @@ def test_native_instances_in_threads_move_as_one_alone(host, native, native_link
     second = native_linked.arguments("drive", "B0.x")
     shown = alone(host, "threads", *native.arguments("push", "A.x"), "16", *second)
     assert [*map(float, shown)] == expected * 8
+
+
+# ------------------------------------------------------------- tolerances that a host passes
+
+SWING = """
+name = "{name}"
+dimension = 2
+gravity = [0, -9.81]
+[inputs]
+push = {{ start = 0.0, unit = "N" }}
+[bodies]
+rod = {{ position = [0.5, 0], mass = 1.0, inertia = 0.1, points = {{ end = [0.5, 0] }} }}
+[points]
+B = {{ position = [1.8, 0], mass = 0.5 }}
+[joints]
+bearing = {{ type = "revolute", bodies = ["ground", "rod"], position = [0, 0] }}
+rope = {{ type = "distance", points = ["rod.end", "B"] }}
+[forces]
+wind = {{ type = "force", point = "B", value = ["0.05*push", 0] }}
+"""
+WALL = """
+[contacts]
+wall = {{ type = "plane", point = "B", axis = [1, 0], position = [-0.2, 0], restitution = 0.8 }}
+"""
+SWINGS = {
+    "smooth": SWING.format(name="swing"),
+    "contact": f"{SWING}{WALL}".format(name="swing_and_wall"),
+}
+"""No settings: the default, which follows a tolerance. In the second scene B hits a wall."""
+POINT = 0.03125
+"""Communication step [s], a power of two: hosts add it up in different ways, to the same sums."""
+POINTS = 60
+COARSER, FINER = (1e-2, 1e-3), 1e-7
+"""Tolerances that are wider than the default one, and one that is tighter."""
+
+
+@pytest.mark.parametrize("scene", SWINGS)
+@pytest.mark.parametrize(
+    "is_native", [pytest.param(False, marks=with_python), True], ids=["python", "native"]
+)
+def test_whatever_host_and_tolerance_if_wider_the_motion_is_that_of_the_default(
+    host, tmp_path, scene, is_native
+):
+    path = text_fmu(SWINGS[scene], native=is_native)
+    fmu, preload = unpacked(path, tmp_path), "" if is_native else "LD_PRELOAD"
+    given = POINT, POINTS
+    for output in ("B.x", "rope.force"):
+        arguments = (*fmu.arguments("push", output), str(POINTS), str(POINT))
+        default = in_fmpy(text_fmu(SWINGS[scene]), "push", output, *given)
+        finer = in_fmpy(path, "push", output, *given, FINER)
+        assert finer != default
+        for tolerance in COARSER:
+            assert in_fmpy(path, "push", output, *given, tolerance) == default
+        for words in ((), *((str(tolerance),) for tolerance in (*COARSER, FINER))):
+            shown = [*map(float, lines(host, "run", *arguments, *words, preload=preload))]
+            assert shown == (finer if words == (str(FINER),) else default)

@@ -57,7 +57,7 @@ TOOLS = (
     Tool(
         "libcosimpy",
         "libcosimpy",
-        "coupled, fixed step",
+        "coupled, fixed step; two FMUs alone, beside fmpy",
         "the parallel scheme; it rounds t to nanoseconds; knows no FMI 3.0 and ends Python at one, "
         "see below",
     ),

@@ -281,3 +281,26 @@ def test_a_damped_part_comes_to_rest_alone_and_beside_another(other, tolerance, 
         right = 1.0 + 0.1 * math.exp(-0.5 * c * run.time) * swing
         assert run[f"{name}.x"] == pytest.approx(right, abs=10.0 * tolerance + 1e-12)
     assert run["energy.error"] < 1e-13
+
+
+@pytest.mark.parametrize("step", [0.1, 0.02])
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-6])
+@pytest.mark.parametrize("mass", [1e-2, 1e-4])
+def test_a_light_part_keeps_the_tolerance_beside_a_heavy_one(mass, tolerance, step):
+    """A damped swing of 8 rad/s beside 1 kg that flies straight on, in steps that conserve.
+
+    In a norm that sums both masses, 1e-4 kg may err by a hundred times the tolerance.
+    """
+    omega, zeta, drawn = 8.0, 0.05, 0.1
+    text = damped("P", 0.0, mass * omega**2, 2 * zeta * mass * omega)
+    text = text.replace("mass = 1.0", f"mass = {mass}")
+    text += "[points.F]\nposition = [0, -1]\nvelocity = [0.2, 0]\nmass = 1.0\n"
+    text += f"[solver]\ntolerance = {tolerance}\n[experiment]\nstop_time = 2.0\n"
+    run = solver.Integrator(solver.assemble(solver.loads(f'name = "light"\ndimension = 2\n{text}')))
+    fast = omega * math.sqrt(1.0 - zeta**2)
+    for _ in range(round(2.0 / step)):
+        run.advance(run.time, step)
+        turn = fast * run.time
+        swing = math.cos(turn) + zeta * omega / fast * math.sin(turn)
+        right = 1.0 + drawn * math.exp(-zeta * omega * run.time) * swing
+        assert run["P.x"] == pytest.approx(right, abs=3.0 * tolerance)

@@ -233,7 +233,7 @@ def test_a_mechanism_whose_formulas_switch_is_refused():
 )
 def test_other_events_are_refused(text, values):
     mesh = recorded(text, tolerance=1e-6)
-    with pytest.raises(StepError, match="laws change in another order than in the run") as caught:
+    with pytest.raises(StepError, match="contacts or frictions change in another order") as caught:
         solver.simulate(model(text), parameters=values, mesh=mesh, **AT)
     assert caught.value.status == Status.MESH_EVENTS
 

@@ -53,6 +53,7 @@ CONSTANT = {
         [(0, 0.5031, 0, 0), (0.5031, 0.5055, 1, 0), (0.5055, 1, 0, 0)],
     "1 if t == 0.5 else 2": [(0, 1, 2, 0)],
     "1 if t > (0.3 if t > 0.7 else 0.8) else 0": [(0, 0.7, 0, 0), (0.7, 1, 1, 0)],
+    "floor(2000*t)/2000": [(k / 2000, (k + 1) / 2000, k / 2000, 0) for k in range(2000)],
 }  # fmt: skip
 LINEAR = {
     "mod(t, 0.3)": [(0.3 * k, min(1, 0.3 * (k + 1)), 0, 1) for k in range(4)],
@@ -142,6 +143,16 @@ def test_laws_of_the_motion_are_located_to_round_off(law, method, step):
     assert found == pytest.approx((-0.985281374239, 0.171572875254), abs=1e-11)
 
 
+@pytest.mark.parametrize("method", [name for name in METHODS if name != "order 2"])
+def test_a_law_that_moves_with_the_time_is_located_where_it_switches(method):
+    """It moves by t^2/2 + t^3/6 up to t = 0.43, then along a parabola: each try begins on time."""
+    place, speed = 0.43**2 / 2 + 0.43**3 / 6, 0.43 + 0.43**2 / 2
+    law = "1 + t if A.x < 0.43**2/2 + 0.43**3/6 else -1"
+    found = moved(law, method, stop=1.0, step=0.25)
+    right = (place + speed * 0.57 - 0.57**2 / 2, speed - 0.57)
+    assert found == pytest.approx(right, abs=2e-15)
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_two_switches_in_a_step_are_both_met(method):
     """Work 0.005 J within 0.5 < x < 0.505: v^2 = 1.01 behind it."""
@@ -151,15 +162,61 @@ def test_two_switches_in_a_step_are_both_met(method):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_a_switch_that_is_crossed_there_and_back_in_a_step_is_seen(method):
-    """It turns at x = 0.125 after 0.5 s; above 0.1 it is pulled back twice as hard."""
-    law = "-2 if A.x > 0.1 else -1"
-    v = math.sqrt(0.25 - 0.2)
-    found = moved(law, method, stop=1.0, step=1.0, v=0.5)
-    up = 0.5 - v
-    above = 2 * v / 2
-    rest = 1.0 - up - above
-    assert found == pytest.approx((0.1 - v * rest - rest * rest / 2, -v - rest), abs=1e-13)
+@pytest.mark.parametrize("place", [0.1, 0.12, 0.1249, 0.124999])
+def test_a_switch_that_is_crossed_there_and_back_in_a_step_is_seen(place, method):
+    """It turns at x = 0.125 after 0.5 s; above the place it is pulled back twice as hard.
+
+    Time is v'/2 where the speed there is v': round-off of the place grows by its inverse.
+    """
+    v = math.sqrt(0.25 - 2 * place)
+    found = moved(f"-2 if A.x > {place} else -1", method, stop=1.0, step=1.0, v=0.5)
+    rest = 1.0 - (0.5 - v) - v
+    right = place - v * rest - rest * rest / 2, -v - rest
+    assert found == pytest.approx(right, abs=1e-13 + 1e-16 / v)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_level_that_is_touched_there_and_back_in_a_step_is_seen(method):
+    """A step of 1 above x = 0.12 alone, where it turns: there and back it is pulled by 2."""
+    v = math.sqrt(0.25 - 2 * 0.12)
+    law = "-1 - floor(A.x/0.12) if A.x > 0 else -1"
+    found = moved(law, method, stop=0.95, step=0.95, v=0.5)
+    rest = 0.95 - (0.5 - v) - v
+    assert found == pytest.approx((0.12 - v * rest - rest * rest / 2, -v - rest), abs=1e-13)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("law", ["sign", "abs"])
+def test_a_law_of_what_joints_hold_at_zero_does_not_switch(law, method):
+    """The speed along the axis of a hinge is 0 but for rounding, of either sign."""
+    text = """
+        name = "hinged"
+        gravity = [0, 0, -9.81]
+        [bodies.B]
+        position = [0, 0, 0]
+        mass = 1
+        inertia = [1, 2, 2.5]
+        [joints.r]
+        type = "revolute"
+        bodies = ["ground", "B"]
+        position = [0.3, 0.4, 0]
+        axis = [0.36, 0.48, 0.8]
+        [forces.f]
+        type = "force"
+        point = "B"
+    """
+    value = f"1e-12*{law}(0.36*B.vx + 0.48*B.vy + 0.8*B.vz)"
+    forced, free = (
+        start(
+            solver.assemble(solver.loads(text + f'value = ["{x}", "0*B.vx", 0]')), **METHODS[method]
+        )
+        for x in (value, "0")
+    )
+    for k in range(10):
+        forced.advance(0.1 * k, 0.1)
+        free.advance(0.1 * k, 0.1)
+        assert float(forced["solver.substeps"]) <= float(free["solver.substeps"]) + 1.0
+    assert float(forced["B.vx"]) == pytest.approx(float(free["B.vx"]), abs=1e-10)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -180,9 +237,9 @@ def test_a_force_with_the_sign_of_its_rate_holds(method):
 
 def test_a_force_with_the_sign_of_another_rate_is_refused_where_it_would_hold():
     """No row along that rate would hold with this force, which acts along x and y."""
-    text = POINT.format(law="0", x=0, v=0.05).replace('["0", 0]', '["-(1 if A.vx > 0 else -1)", 0]')
-    integrator = start(solver.assemble(solver.loads(text)))
-    with pytest.raises(solver.StepError, match=r"force 'f': A.vx > 0: .* give it a hysteresis"):
+    law = "-(1 if A.vx + A.vy > 0 else -1)"
+    integrator = start(solver.assemble(solver.loads(POINT.format(law=law, x=0, v=0.05))))
+    with pytest.raises(solver.StepError, match=r"force 'f': .*A.vx.* give it a hysteresis"):
         integrator.advance(0.0, 0.1)
     assert integrator.time == 0.0
 
@@ -214,6 +271,50 @@ def test_impacts_and_switches_are_both_located(method):
     assert ball["A.vy"] == pytest.approx(-late, abs=allowed)
     assert ball["A.x"] == pytest.approx(3.5 + (3.5 - 0.3137) ** 2, abs=allowed)
     assert float(ball["solver.events"]) <= 3.0
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "law",
+    [
+        "-0.3*(1 if A.vx > 0 else -1)",
+        "0.3 if 0 > A.vx else -0.3",
+        "-0.3 if A.vx > 0 else (0.3 if A.vx < 0 else 0)",
+        "0.3 - 0.6*(A.vx >= 0)",
+        "0 if A.vx == 0 else -0.3*sign(A.vx)",
+    ],
+)
+def test_friction_that_is_written_with_conditions_holds(law, method):
+    """It loses 1 m/s at 0.3 m/s^2, after 10/3 s at x = 5/3, and stays there."""
+    assert moved(law, method, stop=5.0, step=0.1, v=1.0) == pytest.approx((5 / 3, 0.0), abs=1e-12)
+
+
+@pytest.mark.parametrize("method", ["tolerance", "tolerance, order 4"])
+@pytest.mark.parametrize(
+    "law",
+    [
+        "-0.3*sign(A.vx) - 0.5*A.vx",
+        "-(0.3 + 0.5*A.vx) if A.vx > 0 else 0.3 - 0.5*A.vx",
+        "-(0.3 + 0.5*abs(A.vx))*sign(A.vx)",
+    ],
+)
+def test_friction_that_changes_with_its_rate_holds(law, method):
+    """It slides by v' = -0.3 - v/2 until e^(t/2) = 16/6; x = 3.2 (1 - e^(-t/2)) - 0.6 t."""
+    t = 2 * math.log(16 / 6)
+    right = 3.2 * (1 - 6 / 16) - 0.6 * t, 0.0
+    assert moved(law, method, stop=5.0, step=0.1, v=1.0) == pytest.approx(right, abs=3e-9)
+
+
+@pytest.mark.parametrize("method", ["tolerance", "tolerance, order 4"])
+def test_friction_of_stribeck_slides_and_holds(method):
+    """It goes the integral of v/(0.3 + 0.5/(1 + 10 v)) = (v + 10 v^2)/(0.8 + 3 v) from 0 to 1.
+
+    That is 10/3 v - 5/9 + (4/9)/(0.8 + 3 v).
+    """
+    right = 10 / 6 - 5 / 9 + 4 / 27 * math.log(3.8 / 0.8)
+    law = "-(0.3 + 0.5/(1 + 10*abs(A.vx)))*sign(A.vx)"
+    found = moved(law, method, stop=5.0, step=0.1, v=1.0)
+    assert found == pytest.approx((right, 0.0), abs=3e-9)
 
 
 def test_a_force_that_pushes_with_the_sign_of_its_rate_does_not_hold():

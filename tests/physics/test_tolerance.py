@@ -7,6 +7,7 @@ difference from the end that is.
 
 from __future__ import annotations
 
+import cmath
 import dataclasses
 import math
 import re
@@ -438,6 +439,54 @@ def test_a_stiff_damper_that_has_settled_does_not_hold_steps_down():
     # Its velocities differ between a step and its halves, but are damped away within a step.
     halves = list(parts_of(prepared("flyball_governor", 5.0, tolerance=1e-5)))
     assert sum(halves[5:]) < 500.0
+
+
+@pytest.mark.parametrize(("tolerance", "step"), [(1e-4, 0.05), (1e-6, 0.01)])
+def test_what_stiff_springs_and_dampers_hold_follows_a_force_as_fast_as_it_should(tolerance, step):
+    """On its course under F sin(Wt) from the start: x = Im(F e^(iWt)/(w^2 - W^2 + 2i z w W)).
+
+    Springs and dampers settle within a step; what is left moves with the force, 0.3 m to and fro.
+    """
+    stiff, damped, pace = 100.0, 3.0, 11.4
+    force = 0.3 * stiff**2
+    course = force / complex(stiff**2 - pace**2, 2 * damped * stiff * pace)
+    text = f"""
+name = "held"
+dimension = 2
+[points.P]
+position = [{1.0 + course.imag}, 0]
+velocity = [{pace * course.real}, 0]
+mass = 1.0
+[joints.line]
+type = "point_on_line"
+point = "P"
+axis = [1, 0]
+[forces.spring]
+type = "spring"
+points = ["ground", "P"]
+at = [0, 0]
+free_length = 1.0
+stiffness = {stiff**2}
+[forces.damper]
+type = "damper"
+points = ["ground", "P"]
+at = [0, 0]
+damping = {2 * damped * stiff}
+[forces.push]
+type = "force"
+point = "P"
+value = ["{force}*sin({pace}*t)", 0]
+[solver]
+tolerance = {tolerance}
+[experiment]
+stop_time = 0.5
+"""
+    run = Integrator(solver.assemble(solver.loads(text)))
+    fastest = pace * abs(course)
+    for _ in range(round(0.5 / step)):
+        run.advance(run.time, step)
+        right = (1j * pace * course * cmath.exp(1j * pace * run.time)).imag
+        assert run["P.vx"] == pytest.approx(right, abs=2.5 * tolerance * fastest)
 
 
 @pytest.mark.parametrize(

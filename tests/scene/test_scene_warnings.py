@@ -58,6 +58,8 @@ def test_a_tolerance_of_the_experiment_alone_has_no_effect_and_that_is_told():
     assert told(alone, **{"solver.step_size": 0.01}) == [("experiment.tolerance", message)]
     assert told(alone) == []  # an importer that gets it asks for less error than 1e-4
     assert told(alone, **{"solver.tolerance": 1e-5}) == []
+    message = "has no effect: the steps of this scene are for 1e-08, which is tighter"
+    assert told(alone, **{"solver.tolerance": 1e-8}) == [("experiment.tolerance", message)]
 
 
 # -------------------------------------------------------------------------------- who is told
@@ -148,6 +150,25 @@ def test_a_setting_of_contacts_has_no_effect_without_any():
     assert told(text) == [("solver.rest_speed", "has no effect: nothing touches or rubs")]
     stop = '[contacts]\nrope = { type = "stop", points = ["O", "A"], max = 2 }\n'
     assert told(text + stop) == []
+
+
+@pytest.mark.parametrize(
+    "given", ['method = "fastest"', "longest_step = 0.1", "absolute_tolerance = 1e-3"]
+)
+def test_a_setting_of_chosen_steps_has_no_effect_on_equal_ones(given):
+    text = SWING.replace("spare = 2.0\n", "") + f"[solver]\n{given}\n"
+    message = "has no effect on steps of fixed length, which this scene has"
+    for equal in ({"solver.step_size": 0.01}, {"solver.order": 4}):
+        assert told(text, **equal) == [(f"solver.{given.split()[0]}", message)]
+        assert told(text, **equal | {"solver.tolerance": 1e-6, "solver.order": 8}) == []
+    assert told(text) == []
+
+
+def test_explicit_steps_of_an_order_that_has_none_are_told():
+    text = SWING.replace("spare = 2.0\n", "") + '[solver]\nmethod = "fastest"\ntolerance = 1e-6\n'
+    message = "has no effect: no step of order 4 is explicit"
+    for order, expected in ((0, []), (4, [("solver.method", message)]), (8, [])):
+        assert told(text, **{"solver.order": order}) == expected
 
 
 def test_an_override_can_take_away_the_last_use_of_a_parameter():

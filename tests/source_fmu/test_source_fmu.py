@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 import shutil
 import subprocess
 import sys
@@ -170,6 +171,18 @@ def test_two_fmus_in_one_static_program_without_malloc_have_the_bits_of_a_librar
         for values, count in zip((a, b), each, strict=True):
             expected += values[k * count : (k + 1) * count]
     assert shown == expected
+
+
+def test_a_function_that_nothing_declares_is_an_error_in_the_unit(folder):
+    """It would take and return integers; importers may compile with no option."""
+    source, sources = folder / "unheard_of.c", unpacked(source_fmu(folder, "four_bar")) / "sources"
+    source.write_text('#include "all.c"\nint own(int x) { return x + unheard_of(x); }\n')
+    command = [*(system_compiler() or []), "-fsyntax-only", f"-I{sources}", str(source)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    errors = re.findall(r"error: .*", done.stderr)
+    assert len(errors) == 1
+    assert "unheard_of" in errors[0]
 
 
 @pytest.mark.parametrize("flags", ["-O0", "-O2 -ffp-contract=off"])

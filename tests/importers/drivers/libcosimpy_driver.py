@@ -1,8 +1,9 @@
-"""Coupled FMUs in libcosimpy, fixed step."""
+"""FMUs in libcosimpy, fixed step: coupled, or with parameters and an input that is 1, 2, 3, ..."""
 
 import job
 from libcosimpy.CosimExecution import CosimExecution
 from libcosimpy.CosimLogging import CosimLogLevel, log_output_level
+from libcosimpy.CosimManipulator import CosimManipulator
 from libcosimpy.CosimObserver import CosimObserver
 from libcosimpy.CosimSlave import CosimLocalSlave
 
@@ -19,8 +20,15 @@ assert execution.add_observer(observer)
 for source, output, target, input_ in task["links"]:
     ends = (units[source], references[source][output], units[target], references[target][input_])
     assert execution.connect_real_variables(*ends) == 0
+for name, values in task.get("parameters", {}).items():
+    for variable, value in values.items():
+        assert execution.real_initial_value(units[name], references[name][variable], value)
+pushing = CosimManipulator.create_override()
+assert execution.add_manipulator(pushing)
 rows = []
-for _ in range(task["steps"]):
+for k in range(task["steps"]):
+    for name, variable in task.get("pushed", ()):
+        assert pushing.slave_real_values(units[name], [references[name][variable]], [1.0 + k])
     assert execution.step()
     rows.append(
         [

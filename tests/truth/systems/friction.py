@@ -279,9 +279,6 @@ def _feet() -> System:
 
 ALL = (*TOLERANCES, *FASTEST, "default")
 FAILS: dict[str, dict[str, int]] = {
-    # Normal forces under a tolerance are means of long steps; the motions are right.
-    "block_pressed_down": dict.fromkeys(ALL, 46),
-    "bead_in_a_rough_hoop": dict.fromkeys(ALL, 46),
     "block_on_two_feet_that_sticks": dict.fromkeys(ALL, 47),
 }
 SYSTEMS = marked(
