@@ -385,8 +385,10 @@ class Touching:
     def _of_both(self, name: str, part: CapsuleContact | PolygonContact | BoxContact) -> None:
         """Add the shapes of two bodies."""
         for k, body in enumerate(part.bodies):
-            if isinstance(part, BoxContact):
+            if isinstance(part, BoxContact) and k < len(part.sizes):
                 self._box(name, body, part.sizes[k])
+            elif isinstance(part, BoxContact):
+                self._corners(name, body, part.segment, part.radii[k])
             else:
                 places = part.segments if isinstance(part, CapsuleContact) else part.corners
                 self._corners(name, body, places[k], part.radii[k])

@@ -15,6 +15,7 @@
 #ifndef HOLONOM_CONTACT_SOLVER_H
 #define HOLONOM_CONTACT_SOLVER_H
 
+#include "cone_projection.h"
 #include "least_squares.h"
 
 typedef struct contact_problem {
@@ -402,28 +403,6 @@ HM_SELDOM static int hm_solve_contacts(contact_problem *x, int wanted)
 
 /* ------------------------------------------------------------------------------- redundant contacts */
 
-/* Projection of z (1 + n) on the cone |t| <= mu N, in place; D: its derivative, (1 + n)^2. */
-HM_SELDOM static void project_on_cone(int32_t n, double mu, double *z, double *D)
-{
-    const int32_t m = n + 1;
-    const double length = n ? hm_length(n, z + 1) : 0.0;
-    for (int32_t e = 0; e < m * m; e++) D[e] = 0.0;
-    if (z[0] >= 0.0 && length <= mu * z[0]) {
-        for (int32_t e = 0; e < m; e++) D[e * m + e] = 1.0;
-        return;
-    }
-    const double size = (z[0] + mu * length) / (1.0 + mu * mu);
-    double e[4] = {1.0, 0.0, 0.0, 0.0};
-    for (int32_t a = 1; a < m; a++) e[a] = length > 0.0 ? mu * z[a] / length : 0.0;
-    for (int32_t a = 0; a < m; a++) z[a] = size > 0.0 ? size * e[a] : 0.0;
-    if (!(size > 0.0)) return;
-    for (int32_t a = 0; a < m; a++)
-        for (int32_t b = 0; b < m; b++) {
-            D[a * m + b] = e[a] * e[b] / (1.0 + mu * mu);
-            if (a && b && length > 0.0) D[a * m + b] += mu * size / length * ((a == b) - (mu > 0.0 ? e[a] * e[b] / (mu * mu) : 0.0));
-        }
-}
-
 /* A contact in the split: it parts, stays on its ray, or may be anywhere in its cone. */
 enum { FACE_PARTS, FACE_RAY, FACE_CONE };
 
@@ -499,7 +478,7 @@ HM_SELDOM static void hm_share_impulses(const contact_problem *x)
         for (int32_t i = 0; i < x->contacts; i++) {
             if (at[i] < 0) continue;
             const int32_t n = face_of(x, &s, i, size, way) == FACE_CONE ? slips_of(x, i) : 0;
-            project_on_cone(n, x->coefficient[i], z + at[i], slope + 16 * i);
+            project_on_cone(1 + n, x->coefficient[i], z + at[i], slope + 16 * i);
         }
         for (int32_t e = 0; e < count; e++) worth -= 0.5 * z[e] * z[e];
         for (int32_t j = 0; j < rank; j++) worth += (y[j] + part * step[j]) * g[j];

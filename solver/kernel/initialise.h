@@ -182,6 +182,42 @@ static int32_t close_mechanism(context *c)
     return make_velocities_consistent(c, 1);
 }
 
+enum {
+    MOST_CHOICES_AT_START = 200, /* of closed contacts in a step towards the equilibrium */
+    FREE_CHOICES = 8 /* in which all contacts that object change; in others the first one, and they come to an end (Murty 1974) */
+};
+
+/* Opens closed contacts that pull, and closes open ones that overlap, or the first of these; 0 if none does. */
+static int change_objecting(const context *c, int the_first)
+{
+    const double most = PENETRATION * c->number[c->m->extent_at];
+    int changed = 0;
+    for (int32_t i = 0; i < n_contacts(c->m) && !(the_first && changed); i++) {
+        const int closed = is_closed(c, i), pulls = closed && c->k.mu[row_of(c, c->m->contact_row[i])] > 0.0;
+        if (!pulls && (closed || !(gap_of(c, i) < -most))) continue;
+        contact_of(c, i)[C_CLOSED] = !closed;
+        changed = 1;
+    }
+    return changed;
+}
+
+/* A step of seek_step with 0 <= N _|_ g >= 0 at its end, taken over; as it was if none is found, as in long steps that go
+   through a contact. Frictions are off: they hold nothing. */
+static int32_t seek_contacts(context *c, double h, double *size)
+{
+    double *begun = c->k.pair_backup;
+    int32_t status = HOLONOM_OK;
+    keep_state(c, begun);
+    for (int choice = 0; choice < MOST_CHOICES_AT_START; choice++) {
+        if ((status = seek_step(c, h, 0, size))) break;
+        take_over(c);
+        if (!change_objecting(c, choice >= FREE_CHOICES)) return HOLONOM_OK;
+        memcpy(c->s.q, begun + (c->s.q - c->s.head), 2 * sizeof(double) * (size_t)(DIM * c->n_moving));
+    }
+    take_state(c, begun);
+    return status ? status : HOLONOM_NEWTON_DIVERGED;
+}
+
 static int32_t seek_equilibrium(context *c)
 {
     const holonom_model *m = c->m;
@@ -191,19 +227,19 @@ static int32_t seek_equilibrium(context *c)
     memset(c->s.v, 0, sizeof(double) * (size_t)(DIM * m->n_free));
     memset(c->s.mu[0], 0, sizeof(double) * (size_t)m->n_rows);
     for (int step = 0; step < 100 && small < 2; step++) {
-        const int32_t status = seek_step(c, h, 0, &size);
+        const int32_t status = seek_contacts(c, h, &size);
         if (status == HOLONOM_STOPPED) return status;
         if (status) {
             failure = status;
             h *= 0.25;
             continue;
         }
-        take_over(c);
         moved = 1;
         /* Once every motion is slower than a step, its size says how far the equilibrium is. */
         small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * hm_step_size(c->s.head) ? small + 1 : 0;
         if (h < 1e6 * hm_step_size(c->s.head)) h *= 4.0;
     }
+    for (int32_t i = 0; i < n_contacts(m); i++) contact_of(c, i)[C_CLOSED] = 0.0; /* begin_contacts finds their modes */
     if (small < 2) return moved ? HOLONOM_NEWTON_DIVERGED : failure;
     return m->n_signals ? make_velocities_consistent(c, 0) : HOLONOM_OK; /* at rest, but for what drivers move */
 }
@@ -247,12 +283,6 @@ static void open_ledger(context *c)
     head[S_ENERGY_REFERENCE] = fmax(kinetic, floor > 0.0 ? floor : still);
 }
 
-/* Whether contacts and frictions can be run with these settings. */
-static int allows_settings(const context *c)
-{
-    return !is_unilateral(c->m) || c->s.head[S_EQUILIBRIUM] == 0.0;
-}
-
 static int32_t refuse_penetration(context *c)
 {
     const double most = HOLONOM_DRAWN_INTO * c->number[c->m->extent_at] + round_off_of_drawing(c);
@@ -274,7 +304,6 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     memset(head + S_KINETIC_START, 0, sizeof(double) * (S_STEP_SIZE - S_KINETIC_START));
     memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
     memset(c.s.inputs_slope, 0, (size_t)((char *)c.s.parameters - (char *)c.s.inputs_slope)); /* of islands, too */
-    if (!allows_settings(&c)) return HOLONOM_CONTACT_SETTINGS;
     take_initial(&c);
     derive_extent(&c);
     if (m->sensing) sense(&c, 0.0, 0);

@@ -12,10 +12,7 @@
 #ifndef HOLONOM_REST_SPLIT_H
 #define HOLONOM_REST_SPLIT_H
 
-#include "internal.h"
-
-#include <math.h>
-#include <stddef.h>
+#include "cone_projection.h"
 
 typedef struct rest_split {
     int32_t contacts, rows, rank;
@@ -31,31 +28,7 @@ typedef struct rest_split {
 #define SPLIT_ACCEPTED 1e-11  /* likewise, where rounding allows no less                                          */
 #define SPLIT_UNBOUNDED 1e8   /* size of a dual that grows without bound                                          */
 
-enum { MOST_SPLIT_ITERATIONS = 200, MOST_IN_CONE = 4 };
-
-/* Projects n forces x on the cone |x_T| <= c x_N, in place; the derivative of that (n x n, overwritten) if wanted. */
-static void project_on_cone(int32_t n, double c, double *x, double *slope)
-{
-    double size2 = 0.0;
-    for (int32_t k = 1; k < n; k++) size2 += x[k] * x[k];
-    const double size = sqrt(size2);
-    const int is_inside = x[0] >= 0.0 && size <= c * x[0], is_polar = x[0] <= 0.0 && c * size <= -x[0];
-    for (int32_t k = 0; k < n * n && slope; k++) slope[k] = is_inside && k % (n + 1) == 0 ? 1.0 : 0.0;
-    if (is_inside) return;
-    if (is_polar) {
-        for (int32_t k = 0; k < n; k++) x[k] = 0.0;
-        return;
-    }
-    const double normal = (x[0] + c * size) / (1.0 + c * c);
-    double edge[MOST_IN_CONE] = {1.0, 0.0, 0.0, 0.0};
-    for (int32_t k = 1; k < n; k++) edge[k] = size > 0.0 ? c * x[k] / size : 0.0;
-    for (int32_t k = 0; k < n && slope; k++)
-        for (int32_t l = 0; l < n; l++) {
-            slope[n * k + l] = edge[k] * edge[l] / (1.0 + c * c);
-            if (k && l && size > 0.0) slope[n * k + l] += c * normal / size * ((k == l) - x[k] * x[l] / size2);
-        }
-    for (int32_t k = 0; k < n; k++) x[k] = normal * edge[k];
-}
+enum { MOST_SPLIT_ITERATIONS = 200 };
 
 /* Forces of the dual y, B x - g in `defect`, and the value of the dual; with `hessian` also its negative second derivatives. */
 static double split_of_dual(const rest_split *s, double factor, const double *y, int hessian)

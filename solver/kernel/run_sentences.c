@@ -71,8 +71,6 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_IMPACT_UNSOLVED:
         return "no impulses were found that obey the law of impact; look for a driver that pushes against the contact, for contacts "
                "that hold the same thing twice, or for masses that are many powers of ten apart";
-    case HOLONOM_CONTACT_SETTINGS:
-        return "contacts and friction need solver.start drawn";
     case HOLONOM_PENETRATION: return "its gap is negative at the start; draw its parts apart";
     case HOLONOM_TOO_MANY_EVENTS:
         return "contacts change more often than solver.max_events in a communication step; take shorter ones, or larger "

@@ -5,20 +5,22 @@ corners    the same of each corner x of a body
 sphere     g = |u| - (r_1 + r_2),              s = (r_1 + r_2) u' . J u/|u|^2 - r_1 w_1 - r_2 w_2
 clearance  g = (c^2 - |u|^2)/2c,               s = c u' . J u/|u|^2 + r w_2 - (c + r) w_1
 journal    g = (c^2 - x^2 - y^2)/2c of both ends, in axes of the bearing; slips around and along it
-stop       g = sigma - min, g = max - sigma    (an angle, a displacement, a distance)
+stop       g = sigma - min, g = max - sigma    (an angle, a displacement, a distance);  s = r w
 
 with u from the first centre to the second (of a clearance: from the hole to the pin), n_i = c_i . n
 components of the normal along the directors c_i of the body that carries the ball, w angular
-velocities. In space balls slip by ((r_1 + r_2) u'/|u| - (r_1 w_1 + r_2 w_2) x n) . t along each of
-two tangents t of the normal n = u/|u| (``solver.mechanics.slips``). The gradient of a gap has size
-1 where the surfaces touch, so that its multiplier is a force. A slip rate is that of the materials
-that touch. The gap of a clearance is smooth where |u| vanishes, too.
+velocities; of a stop along an axis, and of those of a journal, w is that about the axis and r the
+mean radius of the faces that rub. In space balls slip by ((r_1 + r_2) u'/|u| - (r_1 w_1 + r_2 w_2)
+x n) . t along each of two tangents t of the normal n = u/|u| (``solver.mechanics.slips``). The
+gradient of a gap has size 1 where the surfaces touch, so that its multiplier is a force. A slip
+rate is that of the materials that touch. The gap of a clearance is smooth where |u| vanishes, too.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import product
+from typing import Any
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import leaf_symbol, with_symbols
@@ -216,7 +218,21 @@ def add_journal(rows: Rows, contact: JournalContact, _: JointParts) -> None:
         middle = journal.place(contact.position) - centre
         s = mechanism.leaf(mechanism.component(middle, axes[2]))
         for sign in (1.0, -1.0):
-            add_contact(rows, contact, Formula(contact.axial_play + sign * leaf_symbol(0), (s,)))
+            slips = []
+            if contact.friction is not None and is_there(contact.collar_radius):
+                slips.append(_slip_of_faces(rows, contact.collar_radius, spokes, axes))
+            gap = Formula(contact.axial_play + sign * leaf_symbol(0), (s,))
+            add_contact(rows, contact, gap, slips=slips)
+
+
+def _slip_of_faces(
+    rows: Rows, radius: Number, spokes: Sequence[Combination], axes: Sequence[Combination]
+) -> Formula:
+    """Return r w of a body with these axes about the normal of the first two of others."""
+    leaves: list[Leaf] = []
+    pairs = [(spoke, axes[0], axes[1]) for spoke in spokes]
+    turning, size2 = dot_of_pairs(rows.mechanism, leaves, pairs)
+    return Formula(radius * turning / size2, tuple(leaves))
 
 
 def add_stop(rows: Rows, stop: Stop, _: JointParts) -> None:
@@ -232,12 +248,18 @@ def add_stop(rows: Rows, stop: Stop, _: JointParts) -> None:
         size = RADIANS if stop.turns else METRES
     assert quantity is not None
     leaf = mechanism.leaf(quantity)
+    slips = []
+    if stop.friction is not None:
+        held: Any = parts.scene.joints[stop.joint or ""]
+        A, B = map(parts.frame, held.bodies)
+        axes = [A.direction(x) for x in mechanism.normals(unit(held.axis))]
+        slips.append(_slip_of_faces(rows, stop.radius, [*map(B.direction, B.axes)], axes))
     if stop.min is not None and stop.max is not None:
         rows.rule(stop.max - stop.min, ">", "max - min must be > 0")
     if stop.min is not None:
-        add_contact(rows, stop, Formula(leaf_symbol(0) - stop.min, (leaf,)), size, " at min")
+        add_contact(rows, stop, Formula(leaf_symbol(0) - stop.min, (leaf,)), size, " at min", slips)
     if stop.max is not None:
-        add_contact(rows, stop, Formula(stop.max - leaf_symbol(0), (leaf,)), size, " at max")
+        add_contact(rows, stop, Formula(stop.max - leaf_symbol(0), (leaf,)), size, " at max", slips)
 
 
 def add_contact(

@@ -8,7 +8,7 @@ polygon   m = max d_k, the largest distance to the line of an edge;  D = m + min
 box       m = max q_k, q_k = |c_k| - a_k/2;  D = sqrt(sum max(q_k, 0)^2) + min(m, 0)
 
 and for R = 0, where D has kinks, m, which is 0 on the same surface. In the plane, corners both ways
-see all; in space two capsules also cross, at s and t of their segments p + s u, o + t v,
+see all; in space capsules also cross each other and edges of boxes, at s and t of p + s u, o + t v,
 
 crossing  g = sqrt(|p + s u - o - t v|^2 + more) - R
 
@@ -28,7 +28,7 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.contacts import add_contact, box_corners
+from solver.mechanics.contacts import SKEW, add_contact, box_corners
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Ground, RigidFrame
@@ -62,6 +62,8 @@ from solver.scene.expression import operate, sqrt
 
 PARALLEL = 1e-12
 """Square of the sine below which capsules do not cross: their ends touch, at 1e-13 of the size."""
+EDGES = [(i, i + k) for k in (4, 2, 1) for i in range(8) if not i & k]
+"""Corners of a box in space, by their numbers, at the ends of its edges."""
 MARGIN = 1e-4
 """Share of its length before an end of a face from which its distance grows faster: a corner that
 is there is seen by the other shape, whose own is 1e-9 farther off at most."""
@@ -80,6 +82,11 @@ class Shape(NamedTuple):
     corners: tuple[Vector, ...]
     radius: Number
     distance: Distance
+
+    @property
+    def up(self) -> Vector:
+        """Normal whose tangents the others turn from; of a box no face points against it."""
+        return SKEW if len(self.corners) == 8 else ()
 
     def place(self, corner: Vector) -> Combination:
         """Return where a corner is."""
@@ -193,11 +200,12 @@ def add_polygons(rows: Rows, contact: PolygonContact, _: JointParts) -> None:
 
 
 def add_boxes(rows: Rows, contact: BoxContact, _: JointParts) -> None:
-    """Keep two boxes apart, as far as corners see them."""
-    first, second = (
+    """Keep two boxes apart, as far as corners see them, or a box and a capsule."""
+    first, *others = (
         box_corners(rows, size, radius, title)
-        for size, radius, title in zip(contact.sizes, contact.radii, _titles(contact), strict=True)
+        for size, radius, title in zip(contact.sizes, contact.radii, _titles(contact), strict=False)
     )
+    second = contact.segment or others[0]
     _add_pair(rows, contact, _hulls(rows, contact, (first, second)))
 
 
@@ -233,8 +241,12 @@ def _hulls(
 def _add_pair(rows: Rows, contact: PairContact, shapes: list[Shape]) -> None:
     """Keep two shapes apart: corners both ways, and the crossing of two capsules in space."""
     first, second = sorted(shapes, key=lambda shape: len(shape.corners) > 1)  # a ball is the first
-    if rows.mechanism.dim == 3 and len(first.corners) == len(second.corners) == 2:
-        _add_segments(rows, contact, first, second)
+    if rows.mechanism.dim == 3 and len(second.corners) == 2 <= len(first.corners):
+        if len(first.corners) == 2:
+            _add_sticks(rows, contact, first, second)
+        else:
+            _add_stick_on_box(rows, contact, second, first)
+            _demand_apart(rows, first, second)
         return
     for k in range(len(first.corners)):
         _add_corner(rows, contact, first, k, second, grows=False)
@@ -259,8 +271,9 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
         pairs = [pair for x in both for pair in pairwise((*x, x[0]))]
         axes = [turned(unit(subtract(b, a))) for a, b in pairs if a != b]
     else:
-        edges = [[unit(subtract(x[k], x[0])) for k in (1, 2, 4)] for x in both]
-        axes = [axis for x in edges for axis in x] + [cross(a, b) for a, b in product(*edges)]
+        edges = [[unit(subtract(x[k], x[0])) for k in (1, 2, 4) if k < len(x)] for x in both]
+        axes = [axis for x in edges if len(x) > 1 for axis in x]
+        axes += [cross(a, b) for a, b in product(*edges)]
     overlap = mechanism.extent
     for axis in axes:
         if number(norm(axis)) > 1e-6:
@@ -283,51 +296,88 @@ def _add_corner(
     if contact.friction is not None:
         distance = other.distance(x, False)  # its gradient has size 1 everywhere
         normal = tuple(derivative(distance, str(leaf)) for leaf in x)
-        slips = slip_rates(rows, contact, of.ball, leaves, normal, [forms], of.radius)
+        slips = slip_rates(
+            rows, contact, of.ball, leaves, normal, [forms], of.radius, up=other.up
+        )  # fmt: skip
     add_contact(rows, contact, gap, end=f" at corner {k + 1}{of.title}", slips=slips)
 
 
-def _add_segments(rows: Rows, contact: PairContact, first: Shape, second: Shape) -> None:
-    """Keep two capsules in space apart: ends of each from the other, and where they cross.
+class _Stick:
+    """Segment p + s u of a capsule in space, in axes of the other body, that measures all slips.
 
-    All slips are measured in axes of the second: the contacts of a line of contact then roll alike,
-    over any step.
+    The contacts of a line of contact then roll alike, over any step.
     """
-    mechanism = rows.mechanism
-    places = [second.frame.coordinates(first.place(corner)) for corner in first.corners]
-    leaves = tuple(mechanism.leaf(mechanism.component(*form)) for x in places for form in x)
-    p, end = (tuple(leaf_symbol(3 * i + k) for k in range(3)) for i in range(2))
-    o = second.corners[0]
-    u, v, w = subtract(end, p), subtract(second.corners[1], o), subtract(p, o)
-    uu, uv, vv, uw, vw = dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)
 
-    def add_gap(s: Number, t: Number, more: Number, where: str) -> None:
+    def __init__(self, rows: Rows, contact: PairContact, stick: Shape, other: Shape) -> None:
+        mechanism = rows.mechanism
+        self.rows, self.contact, self.stick, self.other = rows, contact, stick, other
+        self.places = [other.frame.coordinates(stick.place(end)) for end in stick.corners]
+        self.leaves = tuple(
+            mechanism.leaf(mechanism.component(*form)) for x in self.places for form in x
+        )
+        self.p, end = (tuple(leaf_symbol(3 * i + k) for k in range(3)) for i in range(2))
+        self.u = subtract(end, self.p)
+
+    def add_gap(
+        self, s: Number, o: Vector, t: Number, v: Vector, more: Number, where: str
+    ) -> None:  # fmt: skip
         """Keep p + s u and o + t v apart."""
-        link = subtract(add(w, scale(s, u)), scale(t, v))
+        link = subtract(add(subtract(self.p, o), scale(s, self.u)), scale(t, v))
         square, slips = dot(link, link), []
-        if contact.friction is not None:
+        if self.contact.friction is not None:
             normal, shares = scale(1.0 / sqrt(square), link), (1.0 - s, s)
             slips = slip_rates(
-                rows, contact, first.ball, leaves, normal, places, first.radius, shares
+                self.rows, self.contact, self.stick.ball, self.leaves, normal, self.places,
+                self.stick.radius, shares, self.other.up,
             )  # fmt: skip
-        gap = Formula(sqrt(square + more) - (first.radius + second.radius), leaves)
-        add_contact(rows, contact, gap, end=where, slips=slips)
+        reach = self.stick.radius + self.other.radius
+        gap = Formula(sqrt(square + more) - reach, self.leaves)
+        add_contact(self.rows, self.contact, gap, end=where, slips=slips)
 
+    def add_corner(self, o: Vector, t: float, v: Vector, where: str) -> None:
+        """Keep it off the corner o + t v; beyond its ends, which see the other one, farther."""
+        uu = dot(self.u, self.u)
+        free = (t * dot(self.u, v) - dot(self.u, subtract(self.p, o))) / uu
+        self.add_gap(_within(free, 0.0, 1.0), o, t, v, uu * _beyond(free), where)
+
+    def add_crossing(self, o: Vector, v: Vector, where: str) -> None:
+        """Keep it off an edge, where the lines are nearest to each other between their ends."""
+        u, w = self.u, subtract(self.p, o)
+        uu, uv, vv, uw, vw = dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)
+        both = cross(u, v)
+        sine2 = dot(both, both)
+        bound = _larger(sine2, PARALLEL * uu * vv)
+        s_free, t_free = (uv * vw - vv * uw) / bound, (uu * vw - uv * uw) / bound
+        s, t = _within(s_free, 0.0, 1.0), _within(t_free, 0.0, 1.0)
+        beyond = [_within(s_free - s, -1.0, 1.0), _within(t_free - t, -1.0, 1.0)]
+        more = uu * (beyond[0] * beyond[0] + 1.0 - sine2 / bound) + vv * beyond[1] * beyond[1]
+        self.add_gap(s, o, t, v, more, where)
+
+
+def _add_sticks(rows: Rows, contact: PairContact, first: Shape, second: Shape) -> None:
+    """Keep two capsules in space apart: ends of each from the other, and where they cross."""
+    stick = _Stick(rows, contact, first, second)
+    o, v = second.corners[0], subtract(second.corners[1], second.corners[0])
+    vv, uv, vw = dot(v, v), dot(stick.u, v), dot(v, subtract(stick.p, o))
     for s in (0.0, 1.0):
         t = _within((vw + s * uv) / vv, 0.0, 1.0)
-        add_gap(s, t, 0.0, f" at corner {1 + int(s)}{first.title}")
+        stick.add_gap(s, o, t, v, 0.0, f" at corner {1 + int(s)}{first.title}")
     for t in (0.0, 1.0):
-        free = (t * uv - uw) / uu
-        s = _within(free, 0.0, 1.0)
-        add_gap(s, t, uu * _beyond(free), f" at corner {1 + int(t)}{second.title}")
-    both = cross(u, v)
-    sine2 = dot(both, both)
-    bound = _larger(sine2, PARALLEL * uu * vv)
-    s_free, t_free = (uv * vw - vv * uw) / bound, (uu * vw - uv * uw) / bound
-    s, t = _within(s_free, 0.0, 1.0), _within(t_free, 0.0, 1.0)
-    beyond = [_within(s_free - s, -1.0, 1.0), _within(t_free - t, -1.0, 1.0)]
-    more = uu * (beyond[0] * beyond[0] + 1.0 - sine2 / bound) + vv * beyond[1] * beyond[1]
-    add_gap(s, t, more, " where they cross")
+        stick.add_corner(o, t, v, f" at corner {1 + int(t)}{second.title}")
+    stick.add_crossing(o, v, " where they cross")
+
+
+def _add_stick_on_box(rows: Rows, contact: PairContact, first: Shape, box: Shape) -> None:
+    """Keep a capsule off a box: its ends, the corners, and the edges that cross it."""
+    for k in range(2):
+        _add_corner(rows, contact, first, k, box, grows=False)
+    stick = _Stick(rows, contact, first, box)
+    for k, corner in enumerate(box.corners):
+        stick.add_corner(corner, 0.0, (0.0,) * 3, f" at corner {k + 1}{box.title}")
+    for i, k in EDGES:
+        along = subtract(box.corners[k], box.corners[i])
+        where = f" at the edge from corner {i + 1} to {k + 1}{box.title}"
+        stick.add_crossing(box.corners[i], along, where)
 
 
 # -------------------------------------------------------------------------------------- cylinders

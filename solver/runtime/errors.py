@@ -75,7 +75,6 @@ class Status(IntEnum):
     CONTACT_UNDECIDED = 11  # no set of contacts and frictions agrees with the forces
     IMPACT_UNSOLVED = 12  # no impulses obey the law of impact
     TOO_MANY_EVENTS = 13  # contacts change more often in a communication step than they may
-    CONTACT_SETTINGS = 14  # settings that contacts and friction do not allow
     PENETRATION = 15  # a gap is negative at the start
     AT_DEAD_CENTRE = 16  # velocities at the start belong to no motion: rows lack accelerations
     STOPPED = 17  # who waits for the step has asked for its end

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from solver.scene import fields as kind
-from solver.scene.contact_laws import Contact, RubbingContact
+from solver.scene.contact_laws import RubbingContact
 from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
@@ -15,14 +15,9 @@ from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
-    from solver.scene.settings import SolverSettings
 
 Ends: TypeAlias = tuple[PointReference, PointReference]
 
-SETTINGS = {
-    "start": ("drawn", "no static equilibrium is sought with contacts or friction of joints"),
-}
-"""Settings that contacts need, and why."""
 TOWARDS_THE_BODY = kind.Direction(
     text="normal of the plane, towards the body", example=[0, 0, 1], required=True
 )
@@ -208,6 +203,18 @@ class JournalContact(RubbingContact):
         kind.Quantity("m", "way to the stop along the axis, either way", POSITIVE, example=1e-4),
     ] = None
     """None: it slides along its axis without end."""
+    collar_radius: Annotated[
+        Number,
+        kind.Quantity("m", "of the faces of these stops, the arm of their friction", NOT_NEGATIVE),
+    ] = 0.0
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that a collar has stops, and rubs."""
+        RubbingContact.check(self, reader, path, given)
+        for name, what in (("axial_play", "a stop"), ("friction", "friction")):
+            if given.collar_radius is not None and getattr(given, name) is None:
+                help = f"write {name} = ..., or leave it out"
+                reader.draft.error((*path, "collar_radius"), f"has no effect without {what}", help)
 
 
 def _joint(reader: "Reader", path: Path, name: Any, _: Any) -> str:
@@ -216,8 +223,11 @@ def _joint(reader: "Reader", path: Path, name: Any, _: Any) -> str:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Stop(Contact):
-    """An end of the angle or displacement of a joint, or of the distance of two points (a rope)."""
+class Stop(RubbingContact):
+    """An end of the angle or displacement of a joint, or of the distance of two points (a rope).
+
+    It rubs where a joint turns about the axis along which it is stopped.
+    """
 
     type = "stop"
 
@@ -236,6 +246,10 @@ class Stop(Contact):
         Number | None,
         kind.Quantity("rad or m", "largest angle, displacement or distance", place=PROPERTY),
     ] = None
+
+    radius: Annotated[
+        Number, kind.Quantity("m", "of the stop's face, the arm of its friction", NOT_NEGATIVE)
+    ] = 0.0
 
     @property
     def turns(self) -> bool:
@@ -262,7 +276,8 @@ class Stop(Contact):
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that it limits one thing, at an end at least, which the drawing does not pass."""
-        Contact.check(self, reader, path, given)
+        RubbingContact.check(self, reader, path, given)
+        self._check_friction(reader, path, given)
         draft = reader.draft
         if (given.joint is None) == (given.points is None):
             message = "neither 'joint' nor 'points' is given"
@@ -291,15 +306,21 @@ class Stop(Contact):
                     help = "draw the joint within its stops, or measure them from the drawing"
                     draft.error((*path, name), message, help)
 
-
-def check_settings(reader: "Reader", settings: "SolverSettings") -> None:
-    """Report settings that scenes with contacts or friction of joints cannot have."""
-    if not reader.known.touches:
-        return
-    for name, (needed, why) in SETTINGS.items():
-        if getattr(settings, name) not in (needed, BROKEN):
-            help = f"write {name} = {kind.shown(needed)}, or leave it out".replace("'", '"')
-            reader.draft.error(("solver", name), why, help)
+    def _check_friction(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Report friction where nothing turns at the stop, and what has none of it."""
+        error = reader.draft.error
+        if given.friction is None:
+            if given.radius is not None:
+                message = "has no effect without friction"
+                error((*path, "radius"), message, "write friction = ..., or leave it out")
+            return
+        if self.turns or given.joint is None or not reader.has(self.joint or "", "angle"):
+            message = "a stop rubs only along the axis of a joint that turns about it"
+            help = 'leave it out; a cylindrical joint has such stops, of = "displacement"'
+            error((*path, "friction"), message, help)
+        elif given.radius is None:
+            message = "'radius' is missing: the mean radius of the faces that rub"
+            error(path, message, "write radius = ...")
 
 
 CONTACTS: dict[str, type[Part]] = {

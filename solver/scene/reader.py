@@ -17,7 +17,6 @@ from typing import Any, Literal
 
 from solver.scene.advice import advise
 from solver.scene.bodies import Bar
-from solver.scene.contacts import check_settings
 from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
 from solver.scene.fields import BROKEN, Part, fields_of
@@ -152,7 +151,6 @@ def _build(draft: Draft) -> Scene:
     reader.read("outputs")
     reader.read("looks")
     solver, experiment = read_settings(reader)
-    check_settings(reader, solver)
     aligned = {} if draft.problems else align_axes(draft, reader.parts["joints"])
     reader.parts["joints"] |= aligned
     if not draft.problems:

@@ -48,15 +48,19 @@ def _segments(reader: "Reader", path: Path, segments: Any, _: Any) -> tuple[Plac
     """Check that each capsule has two ends, or one, which is a ball."""
     first, second = _places_of_both(reader, path, segments)
     for i, ends in enumerate((first, second)):
-        if len(ends) > 2:
-            message = f"a capsule has two ends, a ball one, got {len(ends)}"
-            reader.draft.error((*path, i), message)
-        elif len(ends) == 2:
-            one, two = map(reader.values, ends)
-            if one is not None and one == two:
-                message = "both ends of the capsule are the same place"
-                reader.draft.error((*path, i), message, "write the place once: a ball")
+        check_ends(reader, (*path, i), ends)
     return first, second
+
+
+def check_ends(reader: "Reader", path: Path, ends: Places) -> None:
+    """Report a capsule that has not two ends, or one, which is a ball."""
+    if len(ends) > 2:
+        reader.draft.error(path, f"a capsule has two ends, a ball one, got {len(ends)}")
+    elif len(ends) == 2:
+        one, two = map(reader.values, ends)
+        if one is not None and one == two:
+            message = "both ends of the capsule are the same place"
+            reader.draft.error(path, message, "write the place once: a ball")
 
 
 def _polygons(reader: "Reader", path: Path, polygons: Any, _: Any) -> tuple[Places, Places]:
@@ -74,7 +78,7 @@ def _polygons(reader: "Reader", path: Path, polygons: Any, _: Any) -> tuple[Plac
 
 
 def _sizes(reader: "Reader", path: Path, sizes: Any, _: Any) -> Places:
-    """Check that both boxes have lengths."""
+    """Check that boxes have lengths."""
     if sizes is BROKEN:
         return (), ()
     found = tuple(reader.vector((*path, i), size) for i, size in enumerate(sizes))
@@ -149,19 +153,49 @@ class PolygonContact(PairContact):
     ]  # fmt: skip
 
 
+def _segment(reader: "Reader", path: Path, ends: Any, _: Any) -> Places:
+    """Check that a capsule has two ends, or one, which is a ball."""
+    found = read_corners(reader, path, ends, None)
+    check_ends(reader, path, found)
+    return found
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BoxContact(PairContact):
-    """Two boxes about the origins of their bodies, in 2-D rectangles."""
+    """Two boxes about the origins of their bodies, in 2-D rectangles, or one and a capsule."""
 
     type = "box"
 
     sizes: Annotated[
-        tuple[Vector, Vector],
+        tuple[Vector, ...],
         kind.ListOf(
-            "m", "lengths of each along the axes of its body", size=kind.TWO,
+            "m", "lengths of each along the axes of its body", size=(1, 2),
             item=kind.COMPONENTS, example=[[1, 1, 2], [1, 1, 2]], reading=_sizes,
         ),
     ]  # fmt: skip
+    segment: Annotated[
+        Places,
+        kind.ListOf(
+            "m", "instead of the second size: ends of a capsule of the second body, one of a ball",
+            size=(1, 2), item=kind.COMPONENTS, example=[[0, 0, 0]], reading=_segment,
+        ),
+    ] = ()  # fmt: skip
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that there are two shapes, and that a capsule has a radius."""
+        PairContact.check(self, reader, path, given)
+        if BROKEN in (given.sizes, given.segment):
+            return
+        count = 2 if given.segment is None else 1
+        if len(self.sizes) != count:
+            message = f"must have {'two entries' if count == 2 else 'one entry'}"
+            help = "write the size of the first body alone: the second has a 'segment'"
+            if count == 2:
+                help = "for a capsule or ball of the second body write segment = [...]"
+            reader.draft.error((*path, "sizes"), f"{message}, got {len(self.sizes)}", help)
+        if given.segment is not None and reader.values(self.radii) == [0.0, 0.0]:
+            message = "both are 0: a place or a segment and a sharp box have no normal"
+            reader.draft.error((*path, "radii"), message, "give the segment a radius")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -69,7 +69,8 @@ _WORDS = {
         profile: road rail track curve
         cam: lobe
         height_field: terrain heightfield heightmap height_map grid
-        superquadric: ellipsoid superellipsoid ellipse
+        superquadric: superellipsoid
+        ellipsoid: ellipse egg
         mesh: stl obj trimesh triangles
         """,
     "looks": """

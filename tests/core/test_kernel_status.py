@@ -185,7 +185,7 @@ def provoked(status):
 
 
 def test_every_status_has_a_sentence_and_is_provoked_below():
-    at_the_start = {Status.CONTACT_SETTINGS, Status.PENETRATION, Status.AT_DEAD_CENTRE}
+    at_the_start = {Status.PENETRATION, Status.AT_DEAD_CENTRE}
     # What is stepped over, and what test_interrupted_steps.py and test_repeated_meshes.py provoke.
     others = set(Status) - at_the_start - {Status.CONTACT_UNDECIDED, Status.STOPPED}
     others -= {Status.MESH_EVENTS, Status.MESH_METHODS, Status.MESH_STEPPED}
@@ -205,13 +205,6 @@ def test_a_step_that_fails_says_why_and_leaves_the_state_as_before(status):
     run.state.head["status"] = Status.OK
     run.state.head["at_fault"] = 0.0
     assert run.save() == before
-
-
-def test_contacts_refuse_a_start_at_an_equilibrium():
-    run = Integrator(model_of(BALL), log=lambda _: None)
-    run["solver.start"] = "equilibrium"
-    with pytest.raises(AssemblyError, match="contacts and friction need"):
-        run.initialise()
 
 
 LONG_ROD = """

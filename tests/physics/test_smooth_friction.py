@@ -74,6 +74,34 @@ def test_smooth_friction_has_no_events_and_errors_of_second_order():
     assert math.log2(steps[0] / steps[1]) == pytest.approx(2.0, abs=0.2)
 
 
+@pytest.mark.parametrize("damping", [0.0, 0.3])
+@pytest.mark.parametrize(("order", "steps"), [(4, (0.02, 0.01)), (6, (0.04, 0.02))])
+def test_orders_hold_with_smooth_friction_and_dampers(order, steps, damping):
+    """Weighted covers, which go forward alone, of x'' = -k x - c x' - mu g x'/sqrt(x'^2 + s_0^2)."""
+    speed, stiffness = 0.3, 60.0
+    content = smooth(slider(), speed)
+    content["points"] = content["points"] | {"O": {"position": [-1.0, 0.0], "fixed": True}}
+    ends = {"points": ["O", "p"]}
+    content["forces"] = {
+        "spring": ends | {"type": "spring", "stiffness": stiffness, "free_length": 1.0},
+        "damper": ends | {"type": "damper", "damping": damping},
+    }
+
+    def rates(_: float, y: list[float]) -> list[float]:
+        pull = stiffness * y[0] + damping * y[1]
+        return [y[1], -pull - MU * GRAVITY * y[1] / math.hypot(y[1], speed)]
+
+    exact = solve_ivp(rates, (0.0, 0.8), [0.0, SPEED], "DOP853", rtol=1e-13, atol=1e-14).y[0, -1]
+    errors = []
+    for h in steps:
+        integrator = begin(content, h, order)
+        cover(integrator, even(0.8, 0.08))
+        assert number(integrator, "solver.order_in_use") == order
+        errors.append(abs(number(integrator, "p.x") - exact))
+    assert errors[1] < 1e-6
+    assert math.log2(errors[0] / errors[1]) > order - 0.5
+
+
 def test_smooth_friction_tends_to_coulombs_with_the_square_of_its_speed():
     """The ways differ by s_0^2 (asinh(v/s_0) + 1/2)/(2 mu g), the squares and a logarithm."""
     exact = SPEED**2 / (2.0 * MU * GRAVITY)

@@ -172,6 +172,8 @@ def test_forces_arrive_as_written(name, force):
             ((0.0, 0.0), (1.0, 0.0)), ((9.0, 9.0),)))),
         ("n15", BoxContact(bodies=(None, "b4"), sizes=((0.1, 0.1), (1.0, 1.0)),
                            radii=(0.0, 0.1))),
+        ("n17", BoxContact(bodies=("b4", None), sizes=((2.0, 1.0),), radii=(0.0, 0.1),
+                           segment=((9.0, 9.0), (9.0, 8.0)))),
         ("n16", CornersContact(body="b4", size=(2.0, 1.0), axis=(0.0, 1.0),
                                position=(0.0, -3.0))),
         ("n11", SuperquadricContact(point=POINT_A, semi_axes=(3.0, 2.0), power=4.0,
