@@ -77,7 +77,7 @@ def test_smooth_friction_has_no_events_and_errors_of_second_order():
 @pytest.mark.parametrize("damping", [0.0, 0.3])
 @pytest.mark.parametrize(("order", "steps"), [(4, (0.02, 0.01)), (6, (0.04, 0.02))])
 def test_orders_hold_with_smooth_friction_and_dampers(order, steps, damping):
-    """Weighted covers, which go forward alone, of x'' = -k x - c x' - mu g x'/sqrt(x'^2 + s_0^2)."""
+    """Weighted covers go forward alone: x'' = -k x - c x' - mu g x'/sqrt(x'^2 + s_0^2)."""
     speed, stiffness = 0.3, 60.0
     content = smooth(slider(), speed)
     content["points"] = content["points"] | {"O": {"position": [-1.0, 0.0], "fixed": True}}
