@@ -34,7 +34,7 @@ typedef struct rest_split {
 enum { MOST_SPLIT_ITERATIONS = 200, MOST_IN_CONE = 4 };
 
 /* Projects n forces x on the cone |x_T| <= c x_N, in place; the derivative of that (n x n, overwritten) if wanted. */
-static void project_on_cone(int32_t n, double c, double *x, double *slope)
+static void project_forces(int32_t n, double c, double *x, double *slope)
 {
     double size2 = 0.0;
     for (int32_t k = 1; k < n; k++) size2 += x[k] * x[k];
@@ -71,7 +71,7 @@ static double split_of_dual(const rest_split *s, double factor, const double *y,
             x[l] = 0.0;
             for (int32_t k = 0; k < s->rank; k++) x[l] += s->B[s->rows * k + first + l] * y[k];
         }
-        project_on_cone(n, factor * s->coefficient[i], x, hessian ? slope : NULL);
+        project_forces(n, factor * s->coefficient[i], x, hessian ? slope : NULL);
         for (int32_t l = 0; l < n; l++) {
             value -= 0.5 * x[l] * x[l];
             for (int32_t k = 0; k < s->rank; k++) s->defect[k] += s->B[s->rows * k + first + l] * x[l];
