@@ -127,6 +127,14 @@ HM_SELDOM static void guess_friction(context *c, int32_t f)
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }
 
+/* Whether contacts share forces otherwise than rows do. */
+static int has_shares(const context *c)
+{
+    for (int32_t i = 0; i < n_contacts(c->m); i++)
+        if (contact_of(c, i)[C_SHARES] != 0.0) return 1;
+    return 0;
+}
+
 /* Adds to multipliers mu of half steps what their contacts share otherwise than rows do, see contact_split.h. */
 static void add_shares(const context *c, double *mu)
 {

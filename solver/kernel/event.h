@@ -49,13 +49,6 @@ static double slip_along(const context *c, int32_t f)
     return sum;
 }
 
-static int has_shares(const context *c)
-{
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (contact_of(c, i)[C_SHARES] != 0.0) return 1;
-    return 0;
-}
-
 /* Where contacts hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1 less the
    least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
 #define SURELY 1e-3 /* of the largest normal force: a function that does not become 0                                 */

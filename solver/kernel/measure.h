@@ -61,7 +61,7 @@ static void mean_forces(const context *c, const hm_measured *y)
 static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
-    return (m->n_rows || m->n_driven) && c->tolerance > 0.0 && !(is_unilateral(m) && c->s.head[S_UNSETTLED] != 0.0) &&
+    return (m->n_rows || m->n_driven) && c->tolerance > 0.0 && !(is_unilateral(m) && (c->s.head[S_UNSETTLED] != 0.0 || has_shares(c))) &&
            (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
 }
 
