@@ -49,9 +49,9 @@ def test_one_contact_in_the_plane_follows_rouths_path(laws, mu, e):
     """The rod of 0.5 rad, whose slip stops and goes back or sticks."""
     arm = 0.5 * np.array([np.cos(0.5), np.sin(0.5)])
     G = np.array([[0.0, 1.0, -arm[0]], [1.0, 0.0, arm[1]]])
-    W, before = (G / [1.0, 1.0, 1.0 / 12.0]) @ G.T, [-2.2, 1.0]
+    W, before = (G / [1.0, 1.0, 1.0 / 12.0]) @ G.T, np.array([-2.2, 1.0])
     p, after = impact_by_routh(W, before, mu, e)
-    found = laws.impact(W, np.array(before), [1], [mu], [e])
+    found = laws.impact(W, before, [1], [mu], [e])
     assert found.impulse == pytest.approx(p, rel=1e-13, abs=1e-14)
     assert found.after == pytest.approx(after, rel=1e-13, abs=1e-14)
 
