@@ -163,7 +163,7 @@ def test_a_long_row_of_touching_balls_gives_back_what_it_has_taken(laws, e):
         M, v = 10.0 ** chance.uniform(-1, 1, n), chance.standard_normal(n)
         found = laws.impact((G / M) @ G.T, G @ v, [0] * (n - 1), [0.0] * (n - 1), [e] * (n - 1))
         assert not found.failed
-        energy = 0.5 * (M * v) @ v
+        energy = float(0.5 * (M * v) @ v)
         assert found.impulse.min() >= 0.0
         assert found.after.min() >= -1e-12
         assert found.loss == pytest.approx((1 - e**2) * found.compression.sum(), abs=1e-12 * energy)
