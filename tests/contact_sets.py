@@ -36,8 +36,8 @@ class ContactSet:
         return float(self.v @ (self.M * self.v)) / 2.0
 
     @property
-    def first(self) -> Array:
-        return np.concatenate([[0], np.cumsum(np.add(self.tangents, 1))[:-1]])
+    def first(self) -> list[int]:
+        return [0, *np.cumsum(np.add(self.tangents, 1))[:-1].tolist()]
 
     @property
     def independent(self) -> bool:

@@ -57,7 +57,7 @@ def slips_on_a_belt(n: int, damping: float) -> tuple[list[float], float, float]:
 
 
 def impact_by_routh(
-    W: NDArray[np.float64], before: Sequence[float], coefficient: float, restitution: float
+    W: NDArray[np.float64], before: NDArray[np.float64], coefficient: float, restitution: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return impulses and rates (normal, slip) after an impact of one contact in the plane.
 

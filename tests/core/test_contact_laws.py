@@ -49,9 +49,9 @@ def test_one_contact_in_the_plane_follows_rouths_path(laws, mu, e):
     """The rod of 0.5 rad, whose slip stops and goes back or sticks."""
     arm = 0.5 * np.array([np.cos(0.5), np.sin(0.5)])
     G = np.array([[0.0, 1.0, -arm[0]], [1.0, 0.0, arm[1]]])
-    W, before = (G / [1.0, 1.0, 1.0 / 12.0]) @ G.T, [-2.2, 1.0]
+    W, before = (G / [1.0, 1.0, 1.0 / 12.0]) @ G.T, np.array([-2.2, 1.0])
     p, after = impact_by_routh(W, before, mu, e)
-    found = laws.impact(W, np.array(before), [1], [mu], [e])
+    found = laws.impact(W, before, [1], [mu], [e])
     assert found.impulse == pytest.approx(p, rel=1e-13, abs=1e-14)
     assert found.after == pytest.approx(after, rel=1e-13, abs=1e-14)
 
@@ -163,7 +163,7 @@ def test_a_long_row_of_touching_balls_gives_back_what_it_has_taken(laws, e):
         M, v = 10.0 ** chance.uniform(-1, 1, n), chance.standard_normal(n)
         found = laws.impact((G / M) @ G.T, G @ v, [0] * (n - 1), [0.0] * (n - 1), [e] * (n - 1))
         assert not found.failed
-        energy = 0.5 * (M * v) @ v
+        energy = float(0.5 * (M * v) @ v)
         assert found.impulse.min() >= 0.0
         assert found.after.min() >= -1e-12
         assert found.loss == pytest.approx((1 - e**2) * found.compression.sum(), abs=1e-12 * energy)

@@ -1,8 +1,9 @@
-"""Impacts at a fixed configuration: Newton's restitution with Coulomb's cone (theory 10.3).
+"""Impacts at a fixed configuration: the energetic sweep with Coulomb's cone (theory 10.3).
 
-    0 <= p_N _|_ gamma_N+ + e gamma_N- >= 0,    |p_T| <= c p_N,    p_T against gamma_T+ if not 0
+    0 <= p_N' _|_ gamma_N - c >= 0, c = tau v until the contact has given back e^2 of its work,
+    |p_T'| <= mu p_N', p_T' against gamma_T
 
-with gamma+ = gamma- + W p, W = G M^-1 G' of the contacts that touch while the bilateral rows hold.
+with gamma = gamma- + W p, W = G M^-1 G' of the contacts that touch while the bilateral rows hold.
 """
 
 from __future__ import annotations
@@ -10,126 +11,157 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-from scipy.optimize import root
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
 
 from tests.oracle.contacts import MOST, State, TooManyChoicesError, set_contact, set_friction
 from tests.oracle.mechanism import OFF, Array, Mechanism
 from tests.oracle.start import Accelerations, constrained, row_rates, rows_of
 
+Mask = NDArray[np.bool_]
+Choice = tuple[str | float, ...]
+
 SMALL = 1e-11
 """Of the largest rate or impulse: what counts as zero in an inequality."""
 HELD = 1e-10
 """Of W without bilateral rows: what these leave of a row that depends on them."""
-SWEEPS = 300
 
 
 class Law:
-    """The impulses of contacts, of which contact k has the rows `rows[k]`, normal first."""
+    """The impulses of contacts, of which contact k has the rows `rows[k]`, normal first.
+
+    It knows no way out of a jam, and no slip in space that begins beside others: these are not
+    unique to it.
+    """
 
     def __init__(self, W: Array, before: Array, rows: list[list[int]], e: Array, c: Array) -> None:
-        self.W, self.before, self.rows, self.e, self.c = W, before, rows, np.array(e), c
+        self.W, self.before, self.e, self.c = W, before, np.array(e), c
+        self.rows = [r if mu > 0.0 else r[:1] for r, mu in zip(rows, c, strict=True)]
+        self.unique = True
+        self.size = np.max(np.abs(before), initial=1e-300)
+        self.scale = 1.0 / np.sqrt(np.maximum(np.diag(W), 1e-12 * np.max(np.diag(W), initial=1.0)))
 
-    def solutions(self) -> list[Array]:
-        """Impulses with different velocities after the impact; usually one."""
-        if any(len(rows) > 2 and c > 0.0 for rows, c in zip(self.rows, self.c, strict=True)):
-            return [self.fixed_point()]
-        ways = [
-            ["parts", "sticks", 1.0, -1.0] if len(rows) > 1 and c > 0.0 else ["parts", "closed"]
-            for rows, c in zip(self.rows, self.c, strict=True)
-        ]
+    def _rates(self, gamma: Array, active: Mask, wall: Array) -> Array:
+        """Rates p' with which the active contacts follow their walls."""
+        slips = [float(np.linalg.norm(gamma[t])) for _, *t in self.rows]
+        ways = []
+        for (_, *t), acts, slip in zip(self.rows, active, slips, strict=True):
+            stuck = acts and t and slip <= SMALL * self.size
+            turns = [1.0, -1.0] if len(t) == 1 else []
+            ways.append(["parts"] if not acts else ["sticks", "parts", *turns] if stuck
+                        else ["slides", "parts"])  # fmt: skip
         if np.prod([float(len(way)) for way in ways]) > MOST:
             raise TooManyChoicesError
         found: list[Array] = []
         for choice in product(*ways):
-            p = self._of_choice(choice)
-            if p is not None and not any(self._alike(p, other) for other in found):
-                found.append(p)
-        return found
+            q = self._of_choice(choice, gamma, slips, active, wall)
+            if q is not None and not any(
+                np.max(np.abs(self.W @ (q - other))) <= 1e-9 * self.size for other in found
+            ):
+                found.append(q)
+        if not found:
+            message = "no rates obey the law of impact"
+            raise ArithmeticError(message)
+        self.unique &= len(found) == 1
+        return min(found, key=lambda q: float(q @ self.W @ q))
 
-    def _alike(self, p: Array, other: Array) -> bool:
-        return np.max(np.abs(self.W @ (p - other))) <= 1e-9 * np.max(np.abs(self.before))
-
-    def _of_choice(self, choice: tuple[str | float, ...]) -> Array | None:
-        """Impulses with which contacts part, are closed, stick or slide as chosen, or None."""
-        n = len(self.before)
+    def _of_choice(
+        self, choice: Choice, gamma: Array, slips: list[float], active: Mask, wall: Array
+    ) -> Array | None:
+        n = len(gamma)
         A, b = np.eye(n), np.zeros(n)
-        for (k, *t), e, c, way in zip(self.rows, self.e, self.c, choice, strict=True):
+        for (k, *t), way, slip, c, speed in zip(
+            self.rows, choice, slips, self.c, wall, strict=True
+        ):
             if way == "parts":
                 continue
-            A[k], b[k] = self.W[k], -(1.0 + e) * self.before[k]
+            A[k], b[k] = self.W[k], speed
             if way == "sticks":
-                A[t], b[t] = self.W[t], -self.before[t]
+                A[t] = self.W[t]
             elif isinstance(way, float):
                 A[t[0], k] = way * c
-        stiffness = np.diag(self.W)
-        scale = np.sqrt(np.maximum(stiffness, 1e-12 * np.max(stiffness)))
-        y = np.linalg.lstsq(A / scale[:, None] / scale, b / scale, rcond=1e-11)[0]
-        p = y / scale
-        rate, push = np.max(np.abs(self.before)), np.max(np.abs(p), initial=0.0)
-        if np.max(np.abs(A @ p - b) / scale) > 1e-9 * np.max(np.abs(self.before) / scale):
+            elif t:
+                A[t, k] = c * gamma[t] / slip
+        scaled = A * self.scale / self.scale[:, None]
+        y = np.linalg.lstsq(scaled, b / self.scale, rcond=1e-11)[0]
+        if np.max(np.abs(scaled @ y - b / self.scale), initial=0.0) > 1e-9 * self.size:
             return None
-        after = self.before + self.W @ p
-        for (k, *t), e, c, way in zip(self.rows, self.e, self.c, choice, strict=True):
-            if p[k] < -SMALL * push or after[k] + e * self.before[k] < -SMALL * rate:
+        q = y * self.scale
+        rate, most = self.W @ q, np.max(np.abs(q), initial=0.0)
+        for (k, *t), way, c, acts, speed in zip(
+            self.rows, choice, self.c, active, wall, strict=True
+        ):
+            if q[k] < -SMALL * most or (acts and rate[k] < speed - SMALL * self.size):
                 return None
-            if way == "sticks" and abs(p[t[0]]) > c * p[k] + SMALL * push:
+            if way == "sticks" and t and np.linalg.norm(q[t]) > c * q[k] + SMALL * most:
                 return None
-            if isinstance(way, float) and way * after[t[0]] < -SMALL * rate:
+            if isinstance(way, float) and way * rate[t[0]] < -SMALL * self.size:
                 return None
-        return p
+        return q
 
-    def _projected(self, p: Array) -> Array:
-        """Impulses p less their rates over their stiffness, projected onto the cones.
-
-        Those that obey the law stay as they are. In turn, as Gauss and Seidel do.
-        """
-        p, W = p.copy(), self.W
-        for (k, *t), e, c in zip(self.rows, self.e, self.c, strict=True):
-            excess = self.before[k] + W[k] @ p + e * self.before[k]
-            p[k] = max(0.0, p[k] - excess / W[k, k]) if W[k, k] > 0.0 else 0.0
-            if t and c > 0.0:
-                stiffness = np.linalg.norm(W[np.ix_(t, t)], 2) or 1.0
-                pull = p[t] - (self.before[t] + W[t] @ p) / stiffness
-                size = np.sqrt(pull @ pull)
-                p[t] = pull * min(1.0, c * p[k] / size) if size > 0.0 else 0.0
-        return p
-
-    def _moved(self, x: Array, scale: float) -> Array:
-        return self._projected(x * scale) / scale - x
-
-    def fixed_point(self) -> Array:
-        """Impulses that stay as they are when they are projected."""
-        p = np.zeros(len(self.before))
-        scale = np.max(np.abs(self.before)) / np.max(np.diag(self.W))
-        for _ in range(4):
-            for _ in range(SWEEPS):
-                last, p = p, self._projected(p)
-            if np.max(np.abs(p - last)) > 1e-14 * scale:
-                fine = {"xtol": 1e-15, "ftol": 1e-30}
-                p = scale * root(self._moved, p / scale, (scale,), method="lm", options=fine).x
-            last = p
-            if np.max(np.abs(self._projected(p) - p)) <= 1e-13 * scale:
-                return p
-        message = "impulses do not settle"
+    def solve(self) -> tuple[Array, bool]:
+        """Impulses, and whether the path that leads to them is unique."""
+        normal = [k for k, *_ in self.rows]
+        v = np.maximum(0.0, -self.before[normal])
+        v[v <= 1e-12 * np.max(v)] = 0.0
+        n, m, tau, live = len(v), len(self.before), -1.0, v > 0.0
+        gamma, p, works = self.before.astype(float), np.zeros(m), np.zeros((2, n))
+        for _ in range(60 * n):
+            if tau >= 0.0:
+                live &= self.e**2 * works[0] - works[1] > 1e-13 * works[0]
+            if not np.any(live):
+                return p, self.unique
+            for _, *t in self.rows:
+                if t and np.linalg.norm(gamma[t]) <= SMALL * self.size:
+                    gamma[t] = 0.0
+            wall, start = np.where(live, v, 0.0), np.where(live, tau * v, 0.0)
+            active = gamma[normal] <= start + SMALL * self.size
+            gamma, p, work, h = self._piece(gamma, p, active, wall, start, tau, live, works)
+            works[0] -= np.minimum(work, 0.0)
+            works[1] += np.maximum(work, 0.0)
+            tau = 0.0 if abs(tau + h) < 1e-14 else tau + h
+        message = "the path of an impact has no end"
         raise ArithmeticError(message)
+
+    def _piece(
+        self, gamma: Array, p: Array, active: Mask, wall: Array, start: Array, tau: float,
+        live: Mask, works: Array,
+    ) -> tuple[Array, Array, Array, float]:  # fmt: skip
+        """Follow the path until a slip stops, a wall is met, the clock is 0 or a contact ends."""
+        m, normal = len(gamma), [k for k, *_ in self.rows]
+        left = self.e**2 * works[0] - works[1]
+        q0 = self._rates(gamma, active, wall)
+        pushes = active & (q0[normal] > 1e-11 * np.max(np.abs(q0)))
+
+        def slope(_: float, y: Array) -> Array:
+            q = self._rates(y[:m], pushes, wall)
+            return np.concatenate([self.W @ q, q, q[normal] * y[normal]])
+
+        events = []
+        for i, (k, *t) in enumerate(self.rows):
+            if pushes[i]:
+                if t and np.linalg.norm(gamma[t]) > SMALL * self.size:
+                    events.append(lambda _, y, t=t: np.linalg.norm(y[t]) - 0.5 * SMALL * self.size)
+                if live[i] and tau >= 0.0:
+                    events.append(lambda _, y, i=i: left[i] - y[2 * m + i])
+            else:
+                events.append(
+                    lambda s, y, i=i, k=k: y[k] - start[i] - wall[i] * s + 1e-13 * self.size
+                )
+        for event in events:
+            event.terminal, event.direction = True, -1
+        y0 = np.concatenate([gamma, p, np.zeros(len(normal))])
+        span = (0.0, -tau if tau < 0.0 else 10.0)
+        path = solve_ivp(slope, span, y0, method="DOP853", rtol=1e-12, atol=1e-14 * self.size,
+                         events=events)  # fmt: skip
+        if not path.success:
+            raise ArithmeticError(path.message)
+        y = path.y[:, -1]
+        return y[:m], y[m : 2 * m], y[2 * m :], float(path.t[-1])
 
     def loss(self, p: Array) -> float:
         """What the impulses take, -p (gamma- + gamma+)/2 [J]."""
         return -float(p @ (self.before + 0.5 * self.W @ p))
-
-    def solve(self) -> tuple[Array, bool]:
-        """Impulses that create no energy, with smaller restitution if need be; whether unique."""
-        while True:
-            found = self.solutions()
-            stiffness = np.diag(self.W)[np.diag(self.W) > 0.0]
-            size = np.max(np.abs(self.before)) ** 2 / np.min(stiffness, initial=np.inf)
-            fine = [p for p in found if self.loss(p) >= -1e-12 * size]
-            if fine:
-                return fine[0], len(found) == 1
-            if not np.any(self.e):
-                message = "no impulses obey the law of impact"
-                raise ArithmeticError(message)
-            self.e = np.where(self.e < 2e-3, 0.0, 0.5 * self.e)
 
 
 def across(mechanism: Mechanism, on: Array) -> Array:
@@ -230,7 +262,7 @@ def hit(mechanism: Mechanism) -> tuple[bool, bool]:
     mechanism.head["impact"] += loss
     mechanism.head["work"] += change + loss
     for i, (k, *_) in zip(np.flatnonzero(taking), places, strict=True):
-        if p[k] > 0.0:
+        if p[k] > SMALL * np.max(p):
             mechanism.of_contacts[i, 3] += law.before[k] < -state.speed_tolerance
             mechanism.of_contacts[i, 4] += p[k]
     return True, unique

@@ -197,3 +197,35 @@ def test_a_joint_that_rubs_never_gives_energy_in_impacts():
         assert passed.loss > -1e-13
         assert passed.error < 1e-11
         assert passed.gap > -1e-12
+
+
+@pytest.mark.parametrize("e", [0.0, 0.6, 1.0])
+def test_a_bearing_that_rubs_helps_to_stop_and_hinders_the_rebound(e):
+    """Of a pendulum at a stop: e^2 of the work of compression comes back, by Routh's path.
+
+    The bearing takes f = mu r m c of each change of the angular velocity, so that the compression
+    takes v^2 (I - f)/2 and the expansion w^2 (I + f)/2. On the way centrifugal and tangential
+    forces press it: d(omega)/dt = f omega^2/sqrt(I^2 - f^2).
+    """
+    inertia, f, speed, way = 0.5, 5.0 * 0.02 * 0.5, 2.0, 0.3
+    content: Content = {
+        "name": "stopped",
+        "dimension": 2,
+        "gravity": [0.0, 0.0],
+        "bodies": {
+            "bob": {"mass": 1.0, "inertia": 0.25, "position": [0.0, -0.5],
+                    "velocity": [-0.5 * speed, 0.0], "angular_velocity": -speed}
+        },
+        "joints": {
+            "bearing": {"type": "revolute", "bodies": ["ground", "bob"], "position": [0.0, 0.0],
+                        "friction": {"coefficient": 5.0, "radius": 0.02}}
+        },
+        "contacts": {"stop": {"type": "stop", "joint": "bearing", "min": -way, "restitution": e}},
+        "experiment": {"stop_time": 0.2, "step_size": 0.01},
+    }  # fmt: skip
+    integrator = begin(content, 1e-3, 4)
+    cover(integrator, even(0.2, 0.01))
+    energy = 0.5 * inertia * (speed * np.exp(-f * way / np.sqrt(inertia**2 - f**2))) ** 2
+    kept = e**2 * (inertia - f) / (inertia + f)
+    assert number(integrator, "stop.impacts") == 1.0
+    assert number(integrator, "energy.impact") == pytest.approx(energy * (1.0 - kept), rel=1e-9)
