@@ -681,7 +681,7 @@ HM_SELDOM static int go_round(impact_path *s)
         if (!(h > 1e-16 * unit)) break;
         const double error = try_turning(s, h / unit, end, gamma);
         if (!(error <= 1.0) || slip_lost(s, gamma)) {
-            h *= error > 1.0 && error < INFINITY ? fmax(0.2, 0.9 * pow(error, -0.125)) : 0.25;
+            h *= error > 1.0 && error < INFINITY ? fmax(0.2, 0.9 * hm_pow(error, -0.125)) : 0.25;
             continue;
         }
         const int32_t lost = margin_lost(s, end, gamma);
@@ -697,7 +697,7 @@ HM_SELDOM static int go_round(impact_path *s)
         const int is_back = move_walls(s, at_rest ? rest : way);
         done += h;
         if (lost > -2 || at_rest || is_back || !(pace > 0.0)) break;
-        h *= fmin(6.0, 0.9 * pow(fmax(error, 1e-10), -0.125));
+        h *= fmin(6.0, 0.9 * hm_pow(fmax(error, 1e-10), -0.125));
     }
     s->by_law = 0;
     return !(done > 0.0);

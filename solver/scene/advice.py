@@ -31,11 +31,15 @@ def advise(
     numbers: NumberChecks,
     profiles: Mapping[str, Profile],
     parts: Mapping[str, Mapping[str, Any]],
+    settings: Mapping[str, Any],
 ) -> None:
-    """Warn of a scene as a whole, in which no mistake was found; `parts` are by table and name."""
+    """Warn of a scene as a whole, in which no mistake was found.
+
+    `parts` are by table and name, `settings` those of the solver.
+    """
     _unused(numbers)
     _settings_of_contacts(numbers)
-    _settings_of_tolerance(numbers)
+    _settings_of_tolerance(numbers, settings)
     _held(numbers, parts["inputs"])
     _with_corners(numbers.draft, profiles, parts)
     _welded_twice(numbers.draft, parts["joints"])
@@ -63,10 +67,8 @@ def _settings_of_contacts(numbers: NumberChecks) -> None:
             numbers.draft.warn(("solver", name), message, "leave it out, or write [contacts]")
 
 
-def _settings_of_tolerance(numbers: NumberChecks) -> None:
+def _settings_of_tolerance(numbers: NumberChecks, settings: Mapping[str, Any]) -> None:
     """Warn of settings of chosen steps where steps are equal, or of an order that none takes so."""
-    given = numbers.draft.table("solver")
-    settings = {**DEFAULTS, **given}
     if tolerance_of(settings):
         if settings["method"] == "fastest" and settings["order"] in COMPOSED:
             message = f"has no effect: no step of order {settings['order']:g} is explicit"
@@ -74,7 +76,7 @@ def _settings_of_tolerance(numbers: NumberChecks) -> None:
                 ("solver", "method"), message, "leave it out, or leave out the order"
             )
         return
-    for name in given:
+    for name in numbers.draft.table("solver"):
         in_use = name == "longest_step" and numbers.known.touches  # where impacts are not located
         if OPTIONS[name].of_tolerance and settings[name] != DEFAULTS[name] and not in_use:
             message = "has no effect on steps of fixed length, which this scene has"

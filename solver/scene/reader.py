@@ -154,7 +154,7 @@ def _build(draft: Draft) -> Scene:
     aligned = {} if draft.problems else align_axes(draft, reader.parts["joints"])
     reader.parts["joints"] |= aligned
     if not draft.problems:
-        advise(reader, profiles, reader.parts)
+        advise(reader, profiles, reader.parts, vars(solver))
     return Scene(
         name=heading.name,
         description=heading.description or "",
