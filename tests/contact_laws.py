@@ -94,7 +94,18 @@ class Laws:
         target = folder / "contact_laws.so"
         compiler = system_compiler() or zig_compiler() or ["cc"]
         options = [*FLAGS, *STRICT, "-DDIM=3", f"-I{KERNEL}"]
-        subprocess.run([*compiler, *options, "-o", str(target), str(SHIM), "-lm"], check=True)
+        subprocess.run(
+            [
+                *compiler,
+                *options,
+                "-o",
+                str(target),
+                str(SHIM),
+                str(KERNEL / "exponential.c"),
+                "-lm",
+            ],
+            check=True,
+        )
         self.library = ctypes.CDLL(str(target))
         self.library.impact_scratch.restype = ctypes.c_int64
         self.library.contact_scratch.restype = ctypes.c_int64
