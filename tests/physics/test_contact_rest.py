@@ -6,6 +6,7 @@ Whether there are such forces a linear program tells, too: in the plane a cone i
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 
 import numpy as np
@@ -174,6 +175,91 @@ def test_a_parked_mechanism_needs_the_least_coefficient_that_holds_it(build, thr
     assert way(held, *places) < 1e-12
     assert held["solver.events"].sum() == 0
     assert way(slid, *places) > 1e-9
+
+
+# Boxes that lie on each other: (size, mass) from below. They are as wide as long, or not.
+LIKE = [((0.4, 0.3, 0.2), 1.0)] * 3
+UNLIKE = [((0.4, 0.3, 0.2), 1.35), ((0.31, 0.17, 0.11), 0.53), ((0.2, 0.15, 0.07), 0.81)]
+
+
+def boxes(n: int, dimension: int, friction: float, pile: list, level: int, angle: float) -> str:
+    """Boxes of a pile, each on its corners; 2 N push one of them, in space at this angle."""
+    last = dimension - 1
+    signs = itertools.product(*[(-0.5, 0.5)] * last)
+    feet = {f"p{i}": [*sign, -0.5] for i, sign in enumerate(signs)}
+    bodies, contacts, height = "", "", 0.0
+    for k, (size, mass) in enumerate(pile[:n]):
+        x, y, z = size
+        sides = size if dimension == 3 else (x, z)
+        turns = [(y * y + z * z), (x * x + z * z), (x * x + y * y)]
+        inertia = [mass * turn / 12 for turn in turns] if dimension == 3 else mass * turns[1] / 12
+        points = ", ".join(
+            f"{name} = {[a * b for a, b in zip(foot, sides, strict=True)]}"
+            for name, foot in feet.items()
+        )
+        bodies += (
+            f"b{k} = {{ position = {[0.0] * last + [height + z / 2]}, mass = {mass!r}, "
+            f"inertia = {inertia}, points = {{ {points} }} }}\n"
+        )
+        below = f', body = "b{k - 1}"' if k else ""
+        for name in feet:
+            contacts += (
+                f'c{k}{name} = {{ type = "plane", point = "b{k}.{name}", '
+                f"axis = {[0] * last + [1]}, position = {[0.0] * last + [height]}, "
+                f"friction = {friction!r}{below} }}\n"
+            )
+        height += z
+    push = [2 * math.cos(angle), 2 * math.sin(angle), 0.0] if dimension == 3 else [2.0, 0.0]
+    return f"""name = "pile"
+dimension = {dimension}
+gravity = {[0.0] * last + [-G]}
+[bodies]
+{bodies}
+[forces]
+f = {{ type = "force", point = "b{level}", value = {push} }}
+[contacts]
+{contacts}
+"""
+
+
+PILES = [
+    (n, dimension, pile, level, angle)
+    for n, dimension, pile, angle in [
+        (2, 2, LIKE, 0.0),
+        (3, 2, UNLIKE, 0.0),
+        (2, 3, LIKE, 0.0),
+        (2, 3, UNLIKE, 0.7),
+        (2, 3, UNLIKE, 3.9),
+    ]
+    for level in range(n)
+]
+
+
+@pytest.mark.parametrize(("n", "dimension", "pile", "level", "angle"), PILES)
+def test_boxes_on_each_other_rest_above_one_coefficient_and_slide_below(
+    n, dimension, pile, level, angle
+):
+    # Contact `level` carries the least of those that pass the push on; the boxes above ride along
+    # without friction beyond the cone as long as the acceleration g (threshold - friction) allows.
+    carried = sum(mass for _, mass in pile[level:n])
+    threshold = 2 / G / carried
+    build = functools.partial(boxes, n, dimension, pile=pile, level=level, angle=angle)
+    places = [f"b{k}.{axis}" for k in range(n) for axis in "xyz"[:dimension]]
+    for friction in (threshold * (1 + 1e-6), threshold + 1e-4, 0.45, 0.6, 0.9):
+        held = run(build(friction=friction), stop=0.1)
+        assert way(held, *places) < 1e-12
+        assert held["solver.events"].sum() == 0
+        assert held["solver.stepped"].sum() == 0
+    for friction in (threshold * (1 - 1e-6), threshold - 1e-4, 0.6 * threshold):
+        slid = run(build(friction=friction), stop=0.1)
+        assert slid["solver.stepped"].sum() == 0
+        assert slid["solver.events"].sum() == 0
+        for k in range(n):
+            along = slid[f"b{k}.x"] * math.cos(angle)
+            if dimension == 3:
+                along = along + slid[f"b{k}.y"] * math.sin(angle)
+            moved = 0.5 * G * (threshold - friction) * slid.t**2 if k >= level else 0.0 * slid.t
+            assert along == pytest.approx(moved, abs=1e-11)
 
 
 def holds(contacts: list[tuple[np.ndarray, np.ndarray]], load: np.ndarray, friction: float) -> bool:
