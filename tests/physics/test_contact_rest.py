@@ -262,6 +262,90 @@ def test_boxes_on_each_other_rest_above_one_coefficient_and_slide_below(
             assert along == pytest.approx(moved, abs=1e-11)
 
 
+# Shapes of two boxes, below and above, their masses, and the angle of the push.
+TIES = [
+    ((0.4, 0.3, 0.2), (0.2, 0.15, 0.07), 1.0, 1.0, 0.0),
+    ((0.4, 0.3, 0.2), (0.31, 0.17, 0.11), 1.35, 0.53, 0.7),
+    ((0.4, 0.3, 0.2), (0.31, 0.17, 0.18), 0.7, 1.9, 3.9),
+    ((0.4, 0.3, 0.2), (0.25, 0.1, 0.15), 1.8, 1.4, 0.0),
+]
+
+
+@pytest.mark.parametrize(("share", "tolerance"), [(0.5, 1e-10), (0.51, 1e-12), (0.55, 1e-12)])
+@pytest.mark.parametrize(("below", "above", "m0", "m1", "angle"), TIES)
+def test_a_box_rides_on_one_that_slides_as_long_as_its_friction_suffices(
+    below, above, m0, m1, angle, share, tolerance
+):
+    # g (threshold - friction) is the acceleration: less than friction g above 0.5, equal at 0.5.
+    threshold = 2 / G / (m0 + m1)
+    pile = [(below, m0), (above, m1)]
+    found = run(boxes(2, 3, share * threshold, pile, 0, angle), stop=0.2)
+    moved = 0.5 * G * threshold * (1 - share) * found.t**2
+    for name in ("b0", "b1"):
+        along = found[f"{name}.x"] * math.cos(angle) + found[f"{name}.y"] * math.sin(angle)
+        assert along == pytest.approx(moved, abs=tolerance)
+    assert found["solver.stepped"].sum() == 0
+    if share > 0.52:
+        assert found["solver.events"].sum() == 0
+        assert (found["c1p0.mode"] == 1).all()
+
+
+@pytest.mark.parametrize("friction", [0.1, 0.2679, 0.27, 0.3, 0.6, 0.9])
+def test_a_wedge_of_15_degrees_locks_itself_above_tan_15(friction):
+    # Pulled out with 3 N: 3 = 2 N (friction cos - sin) of the least forces that hold it.
+    c, s = math.cos(math.radians(15)), math.sin(math.radians(15))
+    found = run(f"""{PLANE}gravity = [0, 0]
+[bodies.b]
+position = [0, 0]
+mass = 1
+inertia = 0.05
+points = {{ l = [-0.1, 0], r = [0.1, 0] }}
+[forces]
+f = {{ type = "force", point = "b", value = [0, 3] }}
+[contacts.l]
+type = "plane"
+point = "b.l"
+axis = [{c!r}, {s!r}]
+position = [-0.1, 0]
+friction = {friction!r}
+[contacts.r]
+type = "plane"
+point = "b.r"
+axis = [{-c!r}, {s!r}]
+position = [0.1, 0]
+friction = {friction!r}
+""", stop=0.2)  # fmt: skip
+    assert found["solver.events"].sum() == 0
+    assert found["solver.stepped"].sum() == 0
+    if friction < math.tan(math.radians(15)):
+        assert found["b.y"][-1] == pytest.approx(0.5 * 3 * 0.2**2, rel=1e-12)
+        return
+    assert way(found, "b.x", "b.y", "b.angle") < 1e-12
+    for name in "lr":
+        assert (found[f"{name}.mode"] == 1).all()
+        # Splits may be 1e-7 of the coefficient inside their cones.
+        inside = 1.1e-7 * friction * c / (friction * c - s)
+        assert found[f"{name}.force"][1:] == pytest.approx(3 / 2 / (friction * c - s), rel=inside)
+
+
+@pytest.mark.parametrize("load", [-4.2, -3.9, -1.0, -0.1, 0.5, 1.0])
+def test_a_block_on_a_belt_and_a_floor_slides_on_the_belt_and_sticks_to_the_floor(load):
+    # The belt pulls with 0.4 of half the weight, the floor holds up to that.
+    text = slope(load / G, 0.0, 0.4, 0.4)
+    found = run(text.replace('point = "b.l"', 'point = "b.l", surface_velocity = [1, 0]'), stop=0.2)
+    pull = 0.4 * G / 2
+    floor = max(-pull, min(pull, -load - pull))
+    acceleration = load + pull + floor
+    assert (found["l.mode"] == 2).all()
+    assert (found["r.mode"] == (1 if acceleration == 0.0 else 2)).all()
+    assert found["b.x"] - found["b.x"][0] == pytest.approx(
+        0.5 * acceleration * found.t**2, abs=1e-12
+    )
+    assert found["solver.events"].sum() == 0
+    assert found["l.friction"][1:] == pytest.approx(pull, rel=1e-9)
+    assert found["r.friction"][1:] == pytest.approx(floor, rel=1e-9)
+
+
 def holds(contacts: list[tuple[np.ndarray, np.ndarray]], load: np.ndarray, friction: float) -> bool:
     """Whether forces inside the cones of planar contacts (place, normal) hold a body (LP)."""
     columns = []
