@@ -259,6 +259,22 @@ HM_SELDOM static int turn_back(context *c)
     return 0;
 }
 
+/* Lets frictions stick that were let slide but have no slip and do not begin one, as others that began to slide with them gave way
+   for them; 0 if there are none. */
+HM_SELDOM static int hold_still(context *c)
+{
+    int held = 0;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        double growth2 = 0.0;
+        if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c)) continue;
+        for (int k = 0; k < n_slips(c, f); k++) growth2 += hm_square(second_rate_of_row(c, slip_row(c, f, k)));
+        if (growth2 > hm_square(growth_tolerance(c))) continue;
+        let_stick(c, f);
+        held = 1;
+    }
+    return held;
+}
+
 /* Turns slips of several rates that are about to begin towards the way in which they grow; 0 if they begin so. With a
    stiffness no less than that of the rows, a step to the friction that stops the slip and back to the cone converges. */
 HM_SELDOM static int turn_beginning_slips(const context *c)

@@ -12,6 +12,7 @@ enum { MOST_TURNS = 100 };
 static int32_t agree_with_forces(context *c)
 {
     const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
+    int together = 0; /* whether frictions were let slide that may hold when others do */
     for (int change = 0, turns = 0; change < most; change++) {
         forget_shares(c);
         int32_t status = evaluate_forces(c);
@@ -19,8 +20,9 @@ static int32_t agree_with_forces(context *c)
         if (status) return status;
         enum togetherness how = HOLD;
         if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
+        together |= how == GIVE_WAY;
         if (how == GIVE_WAY || (how == NOT_TOGETHER && (open_worst(c, none) || slide_worst(c, none)))) continue;
-        if (turn_back(c) || close_worst(c)) continue;
+        if (turn_back(c) || close_worst(c) || (together && !c->gives_way && hold_still(c))) continue;
         if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
         change--;
     }

@@ -27,6 +27,7 @@ typedef struct rest_split {
 #define SPLIT_TOLERANCE 1e-13 /* of B x - g                                                                      */
 #define SPLIT_ACCEPTED 1e-11  /* likewise, where rounding allows no less                                          */
 #define SPLIT_UNBOUNDED 1e8   /* size of a dual that grows without bound                                          */
+#define VALUE_ROUNDING 1e-14  /* of values of the dual: near its top they tell no increase, but slopes do (Hager and Zhang 2005)   */
 
 enum { MOST_SPLIT_ITERATIONS = 200 };
 
@@ -101,9 +102,12 @@ static int has_split(const rest_split *s, double factor)
         solve_definite(s->rank, s->matrix, s->way);
         for (int32_t k = 0; k < s->rank; k++) slope -= s->defect[k] * s->way[k];
         for (; share > 1e-11; share *= 0.5) {
+            double ahead = 0.0; /* slope of the dual there */
             for (int32_t k = 0; k < s->rank; k++) s->trial[k] = y[k] + share * s->way[k];
             next = split_of_dual(s, factor, s->trial, 0);
-            if (next >= value + 1e-4 * share * slope - 1e-16) break;
+            for (int32_t k = 0; k < s->rank; k++) ahead -= s->defect[k] * s->way[k];
+            if (next >= value + 1e-4 * share * slope) break;
+            if (next >= value - VALUE_ROUNDING * (1.0 + fabs(value)) && ahead >= -0.9 * slope) break;
         }
         for (int32_t k = 0; k < s->rank; k++) y[k] = s->trial[k];
         value = split_of_dual(s, factor, y, 1);

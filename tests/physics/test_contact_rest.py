@@ -6,6 +6,7 @@ Whether there are such forces a linear program tells, too: in the plane a cone i
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 
 import numpy as np
@@ -174,6 +175,175 @@ def test_a_parked_mechanism_needs_the_least_coefficient_that_holds_it(build, thr
     assert way(held, *places) < 1e-12
     assert held["solver.events"].sum() == 0
     assert way(slid, *places) > 1e-9
+
+
+# Boxes that lie on each other: (size, mass) from below. They are as wide as long, or not.
+LIKE = [((0.4, 0.3, 0.2), 1.0)] * 3
+UNLIKE = [((0.4, 0.3, 0.2), 1.35), ((0.31, 0.17, 0.11), 0.53), ((0.2, 0.15, 0.07), 0.81)]
+
+
+def boxes(n: int, dimension: int, friction: float, pile: list, level: int, angle: float) -> str:
+    """Boxes of a pile, each on its corners; 2 N push one of them, in space at this angle."""
+    last = dimension - 1
+    signs = itertools.product(*[(-0.5, 0.5)] * last)
+    feet = {f"p{i}": [*sign, -0.5] for i, sign in enumerate(signs)}
+    bodies, contacts, height = "", "", 0.0
+    for k, (size, mass) in enumerate(pile[:n]):
+        x, y, z = size
+        sides = size if dimension == 3 else (x, z)
+        turns = [(y * y + z * z), (x * x + z * z), (x * x + y * y)]
+        inertia = [mass * turn / 12 for turn in turns] if dimension == 3 else mass * turns[1] / 12
+        points = ", ".join(
+            f"{name} = {[a * b for a, b in zip(foot, sides, strict=True)]}"
+            for name, foot in feet.items()
+        )
+        bodies += (
+            f"b{k} = {{ position = {[0.0] * last + [height + z / 2]}, mass = {mass!r}, "
+            f"inertia = {inertia}, points = {{ {points} }} }}\n"
+        )
+        below = f', body = "b{k - 1}"' if k else ""
+        for name in feet:
+            contacts += (
+                f'c{k}{name} = {{ type = "plane", point = "b{k}.{name}", '
+                f"axis = {[0] * last + [1]}, position = {[0.0] * last + [height]}, "
+                f"friction = {friction!r}{below} }}\n"
+            )
+        height += z
+    push = [2 * math.cos(angle), 2 * math.sin(angle), 0.0] if dimension == 3 else [2.0, 0.0]
+    return f"""name = "pile"
+dimension = {dimension}
+gravity = {[0.0] * last + [-G]}
+[bodies]
+{bodies}
+[forces]
+f = {{ type = "force", point = "b{level}", value = {push} }}
+[contacts]
+{contacts}
+"""
+
+
+PILES = [
+    (n, dimension, pile, level, angle)
+    for n, dimension, pile, angle in [
+        (2, 2, LIKE, 0.0),
+        (3, 2, UNLIKE, 0.0),
+        (2, 3, LIKE, 0.0),
+        (2, 3, UNLIKE, 0.7),
+        (2, 3, UNLIKE, 3.9),
+    ]
+    for level in range(n)
+]
+
+
+@pytest.mark.parametrize(("n", "dimension", "pile", "level", "angle"), PILES)
+def test_boxes_on_each_other_rest_above_one_coefficient_and_slide_below(
+    n, dimension, pile, level, angle
+):
+    # Contact `level` carries the least of those that pass the push on; the boxes above ride along
+    # without friction beyond the cone as long as the acceleration g (threshold - friction) allows.
+    carried = sum(mass for _, mass in pile[level:n])
+    threshold = 2 / G / carried
+    build = functools.partial(boxes, n, dimension, pile=pile, level=level, angle=angle)
+    places = [f"b{k}.{axis}" for k in range(n) for axis in "xyz"[:dimension]]
+    for friction in (threshold * (1 + 1e-6), threshold + 1e-4, 0.45, 0.6, 0.9):
+        held = run(build(friction=friction), stop=0.1)
+        assert way(held, *places) < 1e-12
+        assert held["solver.events"].sum() == 0
+        assert held["solver.stepped"].sum() == 0
+    for friction in (threshold * (1 - 1e-6), threshold - 1e-4, 0.6 * threshold):
+        slid = run(build(friction=friction), stop=0.1)
+        assert slid["solver.stepped"].sum() == 0
+        assert slid["solver.events"].sum() == 0
+        for k in range(n):
+            along = slid[f"b{k}.x"] * math.cos(angle)
+            if dimension == 3:
+                along = along + slid[f"b{k}.y"] * math.sin(angle)
+            moved = 0.5 * G * (threshold - friction) * slid.t**2 if k >= level else 0.0 * slid.t
+            assert along == pytest.approx(moved, abs=1e-11)
+
+
+# Shapes of two boxes, below and above, their masses, and the angle of the push.
+TIES = [
+    ((0.4, 0.3, 0.2), (0.2, 0.15, 0.07), 1.0, 1.0, 0.0),
+    ((0.4, 0.3, 0.2), (0.31, 0.17, 0.11), 1.35, 0.53, 0.7),
+    ((0.4, 0.3, 0.2), (0.31, 0.17, 0.18), 0.7, 1.9, 3.9),
+    ((0.4, 0.3, 0.2), (0.25, 0.1, 0.15), 1.8, 1.4, 0.0),
+]
+
+
+@pytest.mark.parametrize(("share", "tolerance"), [(0.5, 1e-10), (0.51, 1e-12), (0.55, 1e-12)])
+@pytest.mark.parametrize(("below", "above", "m0", "m1", "angle"), TIES)
+def test_a_box_rides_on_one_that_slides_as_long_as_its_friction_suffices(
+    below, above, m0, m1, angle, share, tolerance
+):
+    # g (threshold - friction) is the acceleration: less than friction g above 0.5, equal at 0.5.
+    threshold = 2 / G / (m0 + m1)
+    pile = [(below, m0), (above, m1)]
+    found = run(boxes(2, 3, share * threshold, pile, 0, angle), stop=0.2)
+    moved = 0.5 * G * threshold * (1 - share) * found.t**2
+    for name in ("b0", "b1"):
+        along = found[f"{name}.x"] * math.cos(angle) + found[f"{name}.y"] * math.sin(angle)
+        assert along == pytest.approx(moved, abs=tolerance)
+    assert found["solver.stepped"].sum() == 0
+    if share > 0.52:
+        assert found["solver.events"].sum() == 0
+        assert (found["c1p0.mode"] == 1).all()
+
+
+@pytest.mark.parametrize("friction", [0.1, 0.2679, 0.27, 0.3, 0.6, 0.9])
+def test_a_wedge_of_15_degrees_locks_itself_above_tan_15(friction):
+    # Pulled out with 3 N: 3 = 2 N (friction cos - sin) of the least forces that hold it.
+    c, s = math.cos(math.radians(15)), math.sin(math.radians(15))
+    found = run(f"""{PLANE}gravity = [0, 0]
+[bodies.b]
+position = [0, 0]
+mass = 1
+inertia = 0.05
+points = {{ l = [-0.1, 0], r = [0.1, 0] }}
+[forces]
+f = {{ type = "force", point = "b", value = [0, 3] }}
+[contacts.l]
+type = "plane"
+point = "b.l"
+axis = [{c!r}, {s!r}]
+position = [-0.1, 0]
+friction = {friction!r}
+[contacts.r]
+type = "plane"
+point = "b.r"
+axis = [{-c!r}, {s!r}]
+position = [0.1, 0]
+friction = {friction!r}
+""", stop=0.2)  # fmt: skip
+    assert found["solver.events"].sum() == 0
+    assert found["solver.stepped"].sum() == 0
+    if friction < math.tan(math.radians(15)):
+        assert found["b.y"][-1] == pytest.approx(0.5 * 3 * 0.2**2, rel=1e-12)
+        return
+    assert way(found, "b.x", "b.y", "b.angle") < 1e-12
+    for name in "lr":
+        assert (found[f"{name}.mode"] == 1).all()
+        # Splits may be 1e-7 of the coefficient inside their cones.
+        inside = 1.1e-7 * friction * c / (friction * c - s)
+        assert found[f"{name}.force"][1:] == pytest.approx(3 / 2 / (friction * c - s), rel=inside)
+
+
+@pytest.mark.parametrize("load", [-4.2, -3.9, -1.0, -0.1, 0.5, 1.0])
+def test_a_block_on_a_belt_and_a_floor_slides_on_the_belt_and_sticks_to_the_floor(load):
+    # The belt pulls with 0.4 of half the weight, the floor holds up to that.
+    text = slope(load / G, 0.0, 0.4, 0.4)
+    found = run(text.replace('point = "b.l"', 'point = "b.l", surface_velocity = [1, 0]'), stop=0.2)
+    pull = 0.4 * G / 2
+    floor = max(-pull, min(pull, -load - pull))
+    acceleration = load + pull + floor
+    assert (found["l.mode"] == 2).all()
+    assert (found["r.mode"] == (1 if acceleration == 0.0 else 2)).all()
+    assert found["b.x"] - found["b.x"][0] == pytest.approx(
+        0.5 * acceleration * found.t**2, abs=1e-12
+    )
+    assert found["solver.events"].sum() == 0
+    assert found["l.friction"][1:] == pytest.approx(pull, rel=1e-9)
+    assert found["r.friction"][1:] == pytest.approx(floor, rel=1e-9)
 
 
 def holds(contacts: list[tuple[np.ndarray, np.ndarray]], load: np.ndarray, friction: float) -> bool:
