@@ -150,7 +150,7 @@ def test_an_interrupt_ends_a_long_start_that_may_be_tried_again():
 
 def test_an_interrupt_ends_a_long_step_of_an_fmu():
     sys.setswitchinterval(1e-3)
-    over = threading.Event()
+    over, fmu = threading.Event(), pendulum()  # whose files an interrupt would leave open
 
     def strike() -> None:
         while not over.wait(0.05):
@@ -160,7 +160,7 @@ def test_an_interrupt_ends_a_long_step_of_an_fmu():
     thread.start()
     try:
         with pytest.raises(KeyboardInterrupt):
-            run_fmu(pendulum(), stop_time=LONG, step_size=LONG, settings={"solver.step_size": 1e-6})
+            run_fmu(fmu, stop_time=LONG, step_size=LONG, settings={"solver.step_size": 1e-6})
     finally:
         over.set()
         thread.join()
