@@ -9,7 +9,6 @@
 #include "half_step_contacts.h"
 
 #define ROUND_OFF 1e-15  /* of a coordinate, over the size of the mechanism                                         */
-#define CONE_MARGIN 1e-9 /* part of the cone, or of a slip, beyond its limit at which a mode is kept             */
 
 /* Way of the node that moves most in the half step. */
 static double largest_way(const context *c) { return sqrt(largest_square(c, c->k.d)); }

@@ -1,4 +1,4 @@
-/* Projection on Coulomb's cone. */
+/* Coulomb's cone |x_T| <= c x_N, and projection on it. */
 #ifndef HOLONOM_CONE_PROJECTION_H
 #define HOLONOM_CONE_PROJECTION_H
 
@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#define CONE_MARGIN 1e-9   /* part of the cone, or of a slip, beyond its limit at which a mode is kept */
 enum { MOST_IN_CONE = 4 }; /* a normal force, and three of friction */
 
 /* Projects n forces x on the cone |x_T| <= c x_N, in place; the derivative of that (n x n, overwritten) if wanted. */

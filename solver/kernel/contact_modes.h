@@ -75,7 +75,7 @@ static int32_t guess_by_law(context *c)
             status = r == x.law.first[k] ? add_push(c, x.contact[k], -AT_STATE) : add_row_gradient(c, x.row[r], -AT_STATE);
             velocities_of_impulses(c, c->k.hit_reach + n * r);
         }
-    if (!status) status = fill_matrix(c, &x);
+    if (!status) status = fill_matrix(c, rows, x.row, x.W);
     if (status) return status;
     int32_t *slides = (int32_t *)(void *)c->k.hit_reach; /* done with; none slides */
     double *way = x.law.after;

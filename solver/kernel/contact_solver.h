@@ -15,8 +15,8 @@
 #ifndef HOLONOM_CONTACT_SOLVER_H
 #define HOLONOM_CONTACT_SOLVER_H
 
-#include "cone_projection.h"
 #include "least_squares.h"
+#include "rest_split.h"
 
 typedef struct contact_problem {
     int32_t contacts, rows;
@@ -416,14 +416,16 @@ HM_SELDOM static int face_of(const contact_problem *x, const contact_parts *s, i
     return x->slides[i] || slip * s->weight[k + 1] > FITS * size ? FACE_RAY : FACE_CONE;
 }
 
-/* Impulses of the least size with the same rates: maximum over y of y.g - |P(B'y)|^2/2, with B of orthonormal rows that span
-   those of W, by Newton's iteration; the impulses are the projections P(B'y) on the cones. Those of a solution stay if none is found. */
+/* Impulses of the least size with the same rates: a split (rest_split.h) with B of orthonormal rows that span those of W. Those of a
+   solution stay if none is found. */
 HM_SELDOM static void hm_share_impulses(const contact_problem *x)
 {
     const contact_parts s = contact_map(x);
     const double size = weigh_rows(x, &s);
     const int32_t m = x->rows;
     int32_t *at = s.digit, count = 0; /* first column of each contact, or -1 */
+    int32_t *first = s.order + m, *tangents = s.digit + m;
+    double *coefficient = s.slope;
     for (int32_t r = 0; r < m; r++)
         for (int32_t c = 0; c < m; c++)
             s.columns[r * m + c] = x->W[(int64_t)r * m + c] * s.weight[r] * s.weight[c];
@@ -449,7 +451,7 @@ HM_SELDOM static void hm_share_impulses(const contact_problem *x)
             }
     }
     const int32_t rank = hm_triangulate(count, m, s.columns, s.head, s.order, REDUNDANT);
-    double *y = s.defect, *g = s.kept, *z = s.rhs, norm = 0.0;
+    double *g = s.kept, *z = s.rhs, norm = 0.0;
     for (int32_t j = 0; j < rank; j++) { /* R' g = the rates, in the order of the columns */
         double sum = (x->rate[s.order[j]] - x->b[s.order[j]]) * s.weight[s.order[j]];
         for (int32_t e = 0; e < j; e++) sum -= s.columns[e * m + j] * g[e];
@@ -458,61 +460,22 @@ HM_SELDOM static void hm_share_impulses(const contact_problem *x)
     }
     norm = sqrt(norm);
     if (!(norm > 0.0)) return;
-    for (int32_t j = 0; j < rank; j++) y[j] = g[j] /= norm;
+    for (int32_t j = 0; j < rank; j++) g[j] /= norm;
     double *B = s.basis; /* rank x count */
     for (int32_t j = 0; j < rank; j++) {
         for (int32_t e = 0; e < count; e++) s.change[e] = e == j ? 1.0 : 0.0;
         hm_reflect(count, m, rank, s.columns, s.head, 1, s.change);
         for (int32_t e = 0; e < count; e++) B[j * count + e] = s.change[e];
     }
-    double *J = s.matrix, *slope = s.slope, *F = s.mu, error = INFINITY, value = -INFINITY, part = 1.0;
-    double *step = s.change;
-    for (int32_t j = 0; j < rank; j++) step[j] = 0.0;
-    for (int iteration = 0; iteration < 200; iteration++) {
-        /* projections and their derivatives at y + part step; a step that lowers the value is halved */
-        double worth = 0.0;
-        for (int32_t e = 0; e < count; e++) {
-            z[e] = 0.0;
-            for (int32_t j = 0; j < rank; j++) z[e] += B[j * count + e] * (y[j] + part * step[j]);
-        }
-        for (int32_t i = 0; i < x->contacts; i++) {
-            if (at[i] < 0) continue;
-            const int32_t n = face_of(x, &s, i, size, way) == FACE_CONE ? slips_of(x, i) : 0;
-            project_on_cone(1 + n, x->coefficient[i], z + at[i], slope + 16 * i);
-        }
-        for (int32_t e = 0; e < count; e++) worth -= 0.5 * z[e] * z[e];
-        for (int32_t j = 0; j < rank; j++) worth += (y[j] + part * step[j]) * g[j];
-        if (iteration > 0 && !(worth >= value - 1e-15) && part > 1e-9) {
-            part *= 0.5;
-            continue;
-        }
-        value = worth;
-        error = 0.0;
-        for (int32_t j = 0; j < rank; j++) {
-            y[j] += part * step[j];
-            F[j] = -g[j];
-            for (int32_t e = 0; e < count; e++) F[j] += B[j * count + e] * z[e];
-            error = fmax(error, fabs(F[j]));
-        }
-        if (error <= 1e-14 || iteration == 199) break;
-        double lift = 1e-14 + 1e-3 * fmin(1.0, error) * fmin(1.0, error);
-        for (int32_t j = 0; j < rank; j++)
-            for (int32_t l = 0; l < rank; l++) {
-                double sum = j == l ? lift : 0.0;
-                for (int32_t i = 0; i < x->contacts; i++) {
-                    if (at[i] < 0) continue;
-                    const int32_t w = (face_of(x, &s, i, size, way) == FACE_CONE ? slips_of(x, i) : 0) + 1;
-                    const double *D = slope + 16 * i;
-                    for (int32_t a = 0; a < w; a++)
-                        for (int32_t c = 0; c < w; c++) sum += B[j * count + at[i] + a] * D[a * w + c] * B[l * count + at[i] + c];
-                }
-                J[j * rank + l] = sum;
-            }
-        for (int32_t j = 0; j < rank; j++) F[j] = -F[j];
-        hm_least_squares(rank, J, F, step, s.head, s.order, 1e-15);
-        part = 1.0;
+    rest_split split = {.rows = count, .rank = rank, .first = first, .tangents = tangents, .coefficient = coefficient, .B = B, .g = g,
+                        .force = z, .dual = s.defect, .way = s.change, .defect = s.mu, .trial = s.slope + m, .matrix = s.matrix};
+    for (int32_t i = 0; i < x->contacts; i++) {
+        if (at[i] < 0) continue;
+        first[split.contacts] = at[i];
+        tangents[split.contacts] = face_of(x, &s, i, size, way) == FACE_CONE ? slips_of(x, i) : 0;
+        coefficient[split.contacts++] = x->coefficient[i];
     }
-    if (!(error <= 1e-11)) return;
+    if (!has_split(&split, 1.0)) return;
     /* The new impulses, unless they change the rates. */
     memcpy(s.kept, x->p, sizeof(double) * (size_t)m);
     memcpy(s.change, x->rate, sizeof(double) * (size_t)m);

@@ -12,7 +12,6 @@
 #define SAME_ROW 1e-10   /* pivot of W with the diagonal 1 that counts as zero                                       */
 #define WELL_INSIDE 1e-7 /* of the coefficients: a split that is so far inside its cones if there is one stays inside as it is */
 #define SLIPS 1e-6       /* rate over the largest one that counts as a slip                                          */
-#define CONE_MARGIN 1e-9 /* of the cone: a friction that is so far beyond it holds                                   */
 
 /* Vectors of a split over the scratch `rest`. */
 typedef struct shared_forces {
@@ -65,7 +64,7 @@ HM_SELDOM static int collect_shared(const context *c, shared_forces *x)
 /* W in `matrix`, with all contacts open; w and modes stay as they are. */
 HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
 {
-    const int64_t n = DIM * c->n_moving, rows = x->split.rows;
+    const int64_t n = DIM * c->n_moving;
     const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
     double *kept = c->k.rest_modes, *w = kept + C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions;
     memcpy(kept, c->s.contacts, modes);
@@ -73,20 +72,8 @@ HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
     for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
     stand_still(c);
     int32_t status = factorise_at_state(c, NULL);
-    for (int32_t r = 0; r < rows && !status; r++) {
-        memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-        status = add_row_gradient(c, x->row[r], -AT_STATE);
-        velocities_of_impulses(c, c->k.hit_reach + n * r);
-    }
-    for (int32_t r = 0; r < rows && !status; r++) {
-        memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-        status = add_row_gradient(c, x->row[r], 1.0);
-        for (int32_t s = 0; s < rows; s++) {
-            double sum = 0.0;
-            for (int64_t k = 0; k < n; k++) sum += c->k.momentum[k] * c->k.hit_reach[n * s + k];
-            x->matrix[rows * r + s] = sum;
-        }
-    }
+    for (int32_t r = 0; r < x->split.rows && !status; r++) status = find_reach(c, x->row[r], r);
+    if (!status) status = fill_matrix(c, x->split.rows, x->row, x->matrix);
     memcpy(c->s.contacts, kept, modes);
     memcpy(c->k.w, w, sizeof(double) * (size_t)n);
     return status;
@@ -199,6 +186,24 @@ HM_SELDOM static int slide_together(context *c, const shared_forces *x)
         slides = 1;
     }
     return slides;
+}
+
+#define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
+#define LOAD_ACCURACY 1e-12
+
+/* Least factor of all coefficients with which there is a split, or infinity. */
+static double load_factor(const rest_split *s)
+{
+    double low = 0.0, high = 1.0;
+    for (; !has_split(s, high); high *= 2.0)
+        if (high > LARGEST_LOAD) return INFINITY;
+        else low = high;
+    while (high - low > LOAD_ACCURACY * high) {
+        const double middle = 0.5 * (low + high);
+        if (has_split(s, middle)) high = middle;
+        else low = middle;
+    }
+    return high;
 }
 
 /* What contacts that hold something twice do, whose multipliers are not all inside the cones. */

@@ -10,18 +10,28 @@
 
 #define HELD 1e-10 /* of W without bilateral rows: what these leave of a row that depends on them */
 
-/* Fills W from the velocities that the impulses bring about. */
-static int32_t fill_matrix(const context *c, const hit *x)
+/* Velocities (hit_reach) that a unit impulse along row r, composite `row`, brings about; -1: none. */
+static int32_t find_reach(const context *c, int32_t row, int64_t r)
 {
-    const int64_t n = DIM * c->n_moving, rows = x->law.rows;
+    const int64_t n = DIM * c->n_moving;
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
+    const int32_t status = row >= 0 ? add_row_gradient(c, row, -AT_STATE) : HOLONOM_OK;
+    velocities_of_impulses(c, c->k.hit_reach + n * r);
+    return status;
+}
+
+/* Fills W (rows x rows) of composites, -1: none, from the velocities that unit impulses along them bring about. */
+static int32_t fill_matrix(const context *c, int32_t rows, const int32_t *row, double *W)
+{
+    const int64_t n = DIM * c->n_moving;
     int32_t status = HOLONOM_OK;
     for (int32_t r = 0; r < rows && !status; r++) {
         memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-        if (x->row[r] >= 0) status = add_row_gradient(c, x->row[r], 1.0);
+        if (row[r] >= 0) status = add_row_gradient(c, row[r], 1.0);
         for (int32_t s = 0; s < rows; s++) {
             double sum = 0.0;
             for (int64_t k = 0; k < n; k++) sum += c->k.momentum[k] * c->k.hit_reach[n * s + k];
-            x->W[rows * r + s] = sum;
+            W[(int64_t)rows * r + s] = sum;
         }
     }
     return status;
@@ -51,20 +61,18 @@ HM_SELDOM static void leave_out_held(const context *c, const hit *x)
 /* Fills W and the rates before. All contacts are open, so that factors are those of the bilateral rows. */
 HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
 {
-    const int64_t n = DIM * c->n_moving, rows = x->law.rows;
+    const int32_t rows = x->law.rows;
     stand_still(c);
     int32_t status = factorise_at_state(c, NULL);
     if (status) return status;
     find_defect(c);
     add_defect(c, 1.0);
     for (int32_t r = 0; r < rows && !status; r++) {
-        memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-        if (x->row[r] >= 0) status = add_row_gradient(c, x->row[r], -AT_STATE);
-        velocities_of_impulses(c, c->k.hit_reach + n * r);
+        status = find_reach(c, x->row[r], r);
         keep_joint_impulses(c, r);
     }
     for (int32_t r = 0; r < rows; r++) x->before[r] = x->row[r] < 0 ? 0.0 : rate_of_row(c, x->row[r]);
-    if (!status) status = fill_matrix(c, x);
+    if (!status) status = fill_matrix(c, rows, x->row, x->W);
     if (!status) leave_out_held(c, x);
     return status;
 }

@@ -1,4 +1,4 @@
-/* Forces of contacts at rest: the least ones inside Coulomb's cones that hold what they must hold together.
+/* Forces of contacts at rest, or impulses with the same rates: the least ones inside Coulomb's cones that do together what they must.
 
        min |x|^2/2,     B x = g,     x_i in K_i = {|x_T| <= c_i x_N},
 
@@ -114,24 +114,6 @@ static int has_split(const rest_split *s, double factor)
         if (!(largest_of(s->rank, y) < SPLIT_UNBOUNDED && value < SPLIT_UNBOUNDED)) return 0;
     }
     return largest_of(s->rank, s->defect) < SPLIT_ACCEPTED;
-}
-
-#define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
-#define LOAD_ACCURACY 1e-12
-
-/* Least factor of all coefficients with which there is a split, or infinity. */
-static double load_factor(const rest_split *s)
-{
-    double low = 0.0, high = 1.0;
-    for (; !has_split(s, high); high *= 2.0)
-        if (high > LARGEST_LOAD) return INFINITY;
-        else low = high;
-    while (high - low > LOAD_ACCURACY * high) {
-        const double middle = 0.5 * (low + high);
-        if (has_split(s, middle)) high = middle;
-        else low = middle;
-    }
-    return high;
 }
 
 #endif

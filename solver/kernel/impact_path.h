@@ -1,0 +1,280 @@
+/* The path of an impact at a fixed configuration, and its rates at a place of it. With rates gamma = gamma- + W p, contacts i that approach with v_i
+   are held from below by walls that move with a clock tau = -1 ..:
+
+       0 <= p'_N _|_ gamma_N - c_i >= 0,   c_i = tau v_i as long as contact i is live, then 0,
+       |p'_T| <= mu p'_N,   p'_T = -mu p'_N gamma_T/|gamma_T| where there is slip.
+
+   Contact i has compressed with C_i = -int p'_N gamma_N over gamma_N < 0, expands with X_i, and is live until X_i = e_i^2 C_i
+   (energetic restitution, Stronge 1990; walls after Moreau 1988; increments of friction after Routh 1905). For frictionless
+   contacts with one e it is Newton's law; p is in Coulomb's cone, energy never grows, and the loss is
+   sum (C_i - X_i) + D with the work D >= 0 of friction.
+
+   The path is straight between events, but where slip turns in space: there a pair of order 8 follows it.
+
+   Jam: strong friction may leave no rates with which the walls go on (Painleve). Then all walls retreat until there are such
+   rates; if that does not help, slip of 1e-6 of the speed counts as none; then the least sets of contacts without which there
+   are rates end; at last all contacts stop at once, without restitution.                                         */
+#ifndef HOLONOM_IMPACT_PATH_H
+#define HOLONOM_IMPACT_PATH_H
+
+#include "contact_solver.h"
+
+/* Ways out of a jam, as bits. */
+enum { JAM_RETREATED = 1, JAM_SLOW_STOPPED = 2, JAM_ENDED = 4, JAM_PLASTIC = 8 };
+
+/* Rows are rates [m/s or rad/s], and impulses of the same contacts [N s or N m s]. A joint that rubs is a contact as well, whose
+   p_N is a sum of norms of impulses in its rows; its normal row has no rate. */
+typedef struct hm_impact {
+    int32_t contacts, rows;
+    const int32_t *first, *tangents; /* per contact: its normal row; rows of slip that follow it: 0 to 3          */
+    const double *coefficient;       /* per contact, >= 0                                                         */
+    const double *restitution;       /* per contact, 0 .. 1                                                       */
+    double *W;                       /* rows x rows: G M^-1 G' reduced by the bilateral rows; may be singular. Normal rows
+                                        of joints, 0, are overwritten                                             */
+    const double *before;            /* rows: gamma-; of a normal row negative where bodies approach              */
+    int32_t forces;                  /* impulses in joints                                                        */
+    const double *force;             /* rows x forces: of unit impulses                                           */
+    const int32_t *force_begin, *force_end; /* per contact: those of a joint; else none                           */
+    const int32_t *force_continues;  /* per force: whether it belongs to the norm of the one before               */
+    double *impulse, *after;         /* rows, overwritten: p, gamma+                                              */
+    double *compression, *expansion; /* per contact, overwritten: C, X [J]                                        */
+    double friction, plastic;        /* overwritten: D; what the last way out of a jam takes [J]                  */
+    int32_t jam, several, pieces;    /* overwritten: ways out taken; whether rates were not unique; parts of the path */
+    int32_t newton;                  /* overwritten: whether Newton's restitution stood in, see hm_solve_impact   */
+    double *scratch;                 /* IMPACT_SCRATCH(rows) doubles                                              */
+} hm_impact;
+
+#define SWEEP_ROUND_OFF 1e-12  /* of the sum of a row's terms: what counts as none                                */
+#define SWEEP_ERROR 1e-13      /* likewise, the error of a part in which slip turns                               */
+#define SWEEP_STOPS 5e-12      /* likewise, slip that turns and counts as stopped                                 */
+#define SLOW_SLIP 1e-6         /* likewise, in a jam                                                              */
+#define BUDGET_SPENT 1e-14     /* of C                                                                            */
+#define CONE_LEFT 1e-8         /* of the cone, beyond which a contact that sticks beside slip that turns begins to slide;
+                                  more than FITS, so that it is not found to stick at once                        */
+#define BEGINS_SLOWLY 1e-3     /* growth of a slip, likewise: its direction then follows from its rate              */
+#define HAS_BEGUN 1e-6         /* likewise, slip whose direction counts                                           */
+#define LARGE_RATES 30.0       /* of impulses, over those that walls bring about alone                            */
+#define CONE_CLIPPED 1e-10     /* of the cone, by which friction of a turning slip may miss it                     */
+#define NO_WORK 1e-18          /* of p'.W p', over that of the rates of walls: rates of 0                         */
+enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
+
+/* Who pushes in a turning piece, and whether it slides, sticks or begins to slide: fixed as long as the piece lasts. */
+enum { IDLE, PUSHES_SLIDING, PUSHES_STUCK, PUSHES_BEGINNING };
+
+/* Numbers of a sweep: rows each, those of contacts as many. */
+typedef struct impact_path {
+    hm_impact *x;
+    contact_problem rates; /* of the active contacts                                                               */
+    double *matrix;        /* its W                                                                                */
+    double *b, *way, *p, *rate, *coefficient; /* likewise                                                          */
+    int32_t *first, *tangents, *slides, *active; /* likewise; active: the contact of each                          */
+    double *gamma, *size;  /* rates now; sum of the sizes of their terms so far                                    */
+    double *q, *turn;      /* p' and gamma' of the piece                                                           */
+    double *lead;          /* rows: direction of slip that begins                                                  */
+    double *speed, *retreat, *deep, *wall; /* per contact: v; rate of its wall in a jam; how far that is; its rate in the piece */
+    double *stage, *start; /* 12 stages of rows + contacts + 2; one more                                           */
+    double *kept;          /* rows                                                                                 */
+    int32_t *live, *on, *stuck, *begins;
+    double tau, way_sign;
+    double energy; /* of the rates before, at each row alone; the largest                                          */
+    int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
+    int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
+} impact_path;
+
+static inline impact_path sweep_map(hm_impact *x)
+{
+    const int64_t n = x->rows;
+    double *s = x->scratch + CONTACT_SCRATCH(n), *v = s + n * n;
+    int32_t *i = (int32_t *)(void *)(v + 17 * n);
+    impact_path y = {.x = x, .matrix = s, .b = v, .way = v + n, .p = v + 2 * n, .rate = v + 3 * n, .coefficient = v + 4 * n,
+               .gamma = v + 5 * n, .size = v + 6 * n, .q = v + 7 * n, .turn = v + 8 * n, .lead = v + 9 * n,
+               .speed = v + 10 * n, .retreat = v + 11 * n, .deep = v + 12 * n, .wall = v + 13 * n, .kept = v + 14 * n,
+               .first = i, .tangents = i + n, .slides = i + 2 * n, .active = i + 3 * n, .live = i + 4 * n, .on = i + 5 * n,
+               .stuck = i + 6 * n, .begins = i + 7 * n, .start = v + 21 * n, .stage = v + 24 * n};
+    y.rates = (contact_problem){.first = y.first, .tangents = y.tangents, .coefficient = y.coefficient, .slides = y.slides,
+                                .way = y.way, .W = y.matrix, .b = y.b, .p = y.p, .rate = y.rate, .scratch = x->scratch};
+    return y;
+}
+
+static inline int32_t impact_slips(const hm_impact *x, int32_t i) { return x->coefficient[i] > 0.0 ? x->tangents[i] : 0; }
+
+/* Whether contact i is a joint that rubs. */
+static inline int is_joint(const hm_impact *x, int32_t i) { return x->forces > 0 && x->force_end[i] > x->force_begin[i]; }
+
+static inline double impact_weight(const hm_impact *x, int32_t i)
+{
+    const int64_t k = x->first[i];
+    return x->W[k * x->rows + k];
+}
+
+/* a (rows) = W p */
+HM_SELDOM static void rates_of_impulses(const hm_impact *x, const double *p, double *a)
+{
+    for (int32_t k = 0; k < x->rows; k++) {
+        double sum = 0.0;
+        for (int32_t j = 0; j < x->rows; j++) sum += x->W[(int64_t)k * x->rows + j] * p[j];
+        a[k] = sum;
+    }
+    for (int32_t i = 0; i < x->contacts; i++)
+        if (is_joint(x, i)) a[x->first[i]] = 0.0;
+}
+
+/* What counts as no rate in row k. */
+static inline double none_of_row(const impact_path *s, int32_t k) { return SWEEP_ROUND_OFF * s->size[k]; }
+
+static inline double none_of_slip(const impact_path *s, int32_t i)
+{
+    double largest = 0.0;
+    for (int32_t t = s->x->first[i] + 1; t <= s->x->first[i] + s->x->tangents[i]; t++) largest = fmax(largest, s->size[t]);
+    return largest * (s->x->tangents[i] > 1 ? 2.0 * SWEEP_STOPS : SWEEP_ROUND_OFF);
+}
+
+static inline double slip_now(const impact_path *s, int32_t i) { return hm_length(s->x->tangents[i], s->gamma + s->x->first[i] + 1); }
+
+/* Equations p_N = d . P of the joints, with the directions d of the impulses P that p brings about. Returns the largest
+   |p_N - |P|| over the largest |P|.                                                                              */
+HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
+{
+    double error = 0.0, largest = 0.0;
+    for (int32_t i = 0; i < x->contacts; i++) {
+        if (!is_joint(x, i)) continue;
+        const int64_t k = x->first[i], n = x->rows;
+        double *line = x->W + k * n, pressed = 0.0;
+        const double slip = x->tangents[i] ? x->W[(k + 1) * n + k + 1] : 0.0, scale = slip > 0.0 ? slip : 1.0;
+        memset(line, 0, sizeof(double) * (size_t)n);
+        for (int32_t at = x->force_begin[i]; at < x->force_end[i];) {
+            const int32_t begin = at;
+            double sum = 0.0;
+            do {
+                double impulse = 0.0;
+                for (int32_t r = 0; r < n; r++) impulse += p[r] * x->force[(int64_t)r * x->forces + at];
+                sum += hm_square(impulse);
+                at++;
+            } while (at < x->force_end[i] && x->force_continues[at]);
+            const double root = sqrt(sum);
+            pressed += root;
+            for (int32_t f = begin; f < at && root > 0.0; f++) {
+                double impulse = 0.0;
+                for (int32_t r = 0; r < n; r++) impulse += p[r] * x->force[(int64_t)r * x->forces + f];
+                for (int32_t r = 0; r < n; r++) line[r] -= scale * impulse / root * x->force[(int64_t)r * x->forces + f];
+            }
+        }
+        line[k] += scale;
+        error = fmax(error, fabs(p[k] - pressed));
+        largest = fmax(largest, pressed);
+    }
+    return largest > 0.0 ? error / largest : 0.0;
+}
+
+/* Rates at which the walls move: that of contact i, with advancing (1) or retreating (-1) walls. */
+static inline double wall_rate(const impact_path *s, int32_t i, int is_active)
+{
+    if (s->way_sign > 0.0) return s->live[i] ? s->speed[i] : s->deep[i] > 0.0 ? s->retreat[i] : 0.0;
+    return s->live[i] ? -s->speed[i] : is_active ? -s->retreat[i] : 0.0;
+}
+
+static inline double wall_now(const impact_path *s, int32_t i) { return s->live[i] ? s->tau * s->speed[i] : -s->deep[i]; }
+
+static inline int is_active(const impact_path *s, int32_t i)
+{
+    const int32_t k = s->x->first[i];
+    return impact_weight(s->x, i) > 0.0 && s->gamma[k] <= wall_now(s, i) + none_of_row(s, k);
+}
+
+/* Lays out the problem of the rates for the contacts that are active. Slip of `slow` of its terms counts as none. */
+HM_SELDOM static void pack_rates(impact_path *s, double slow)
+{
+    const hm_impact *x = s->x;
+    contact_problem *y = &s->rates;
+    y->contacts = y->rows = 0;
+    for (int32_t i = 0; i < x->contacts; i++) {
+        if (s->by_law ? s->on[i] == IDLE : !is_active(s, i)) continue;
+        const int32_t c = y->contacts++, k = x->first[i], n = impact_slips(x, i);
+        const double slip = n ? slip_now(s, i) : 0.0;
+        s->active[c] = i;
+        s->first[c] = y->rows, s->tangents[c] = n, s->coefficient[c] = x->coefficient[i];
+        s->slides[c] = n && !s->stuck[i] && slip > slow * s->size[k + 1];
+        s->b[y->rows] = s->by_law ? -s->wall[i] : -wall_rate(s, i, 1);
+        for (int32_t a = 1; a <= n; a++) {
+            s->b[y->rows + a] = 0.0;
+            s->way[y->rows + a] = s->slides[c] ? s->gamma[k + a] / slip : 0.0;
+        }
+        y->rows += 1 + n;
+    }
+    for (int32_t c = 0; c < y->contacts; c++)
+        for (int32_t a = 0; a <= s->tangents[c]; a++) {
+            const double *from = x->W + (int64_t)x->rows * (x->first[s->active[c]] + a);
+            double *to = s->matrix + (int64_t)y->rows * (s->first[c] + a);
+            for (int32_t d = 0; d < y->contacts; d++)
+                for (int32_t b = 0; b <= s->tangents[d]; b++) to[s->first[d] + b] = from[x->first[s->active[d]] + b];
+        }
+}
+
+/* p' (q) of the contacts that are active; 0, or 1 if there is none, or no other than 0 with walls that retreat. */
+HM_SELDOM static int rates_of_path(impact_path *s, double slow)
+{
+    hm_impact *x = s->x;
+    contact_problem *y = &s->rates;
+    int joints = 0, presses = 0, moves = 0;
+    for (int32_t i = 0; i < x->contacts; i++) joints |= is_joint(x, i);
+    if (joints) press_joints(x, s->q);
+    do {
+        pack_rates(s, slow);
+        for (int32_t k = 0; k < y->rows; k++) moves |= s->b[k] != 0.0;
+        memset(s->q, 0, sizeof(double) * (size_t)x->rows);
+        if (!moves) return 0;
+        if (hm_solve_contacts(y, s->way_sign > 0.0 ? LEAST_WORK : MOST_WORK)) return 1;
+        if (!joints) hm_share_impulses(y);
+        for (int32_t c = 0; c < y->contacts; c++)
+            for (int32_t a = 0; a <= s->tangents[c]; a++) s->q[x->first[s->active[c]] + a] = s->p[s->first[c] + a];
+    } while (joints && press_joints(x, s->q) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
+    if (s->way_sign > 0.0) x->several |= y->several;
+    double most = 0.0;
+    for (int32_t k = 0; k < y->rows; k++)
+        if (s->matrix[k * (y->rows + 1)] > 0.0) most = fmax(most, hm_square(s->b[k]) / s->matrix[k * (y->rows + 1)]);
+    return s->way_sign < 0.0 && !(work_of_solution(y) > NO_WORK * most);
+}
+
+/* Contacts that end where no path goes on: the union of the least sets of live ones without which there are rates. */
+HM_SELDOM static void end_unsolvable(impact_path *s)
+{
+    int32_t count = 0, which[MOST_ENDINGS], out = 0;
+    for (int32_t i = 0; i < s->x->contacts; i++)
+        if (s->live[i] && count++ < MOST_ENDINGS) which[count - 1] = i;
+    for (int32_t size = 1; size <= count && count <= MOST_ENDINGS && !out; size++)
+        for (int32_t set = 1; set < 1 << count; set++) {
+            int32_t bits = 0;
+            for (int32_t k = 0; k < count; k++) bits += set >> k & 1;
+            if (bits != size) continue;
+            for (int32_t k = 0; k < count; k++) s->live[which[k]] = !(set >> k & 1);
+            if (!rates_of_path(s, 0.0)) out |= set;
+            for (int32_t k = 0; k < count; k++) s->live[which[k]] = 1;
+        }
+    for (int32_t i = 0, k = 0; i < s->x->contacts; i++)
+        if (s->live[i] && (count > MOST_ENDINGS || !out || out >> k++ & 1)) s->live[i] = 0;
+}
+
+/* Finds the rates, with a remedy where walls cannot go on; 0, 1 if contacts have ended instead, or -1 if nothing helps. */
+HM_SELDOM static int find_rates(impact_path *s)
+{
+    int lives = 0;
+    s->way_sign = 1.0;
+    if (!rates_of_path(s, 0.0)) return 0;
+    s->way_sign = -1.0;
+    if (!rates_of_path(s, 0.0)) {
+        s->x->jam |= JAM_RETREATED;
+        return 0;
+    }
+    s->way_sign = 1.0;
+    if (!rates_of_path(s, SLOW_SLIP)) {
+        s->x->jam |= JAM_SLOW_STOPPED;
+        return 0;
+    }
+    for (int32_t i = 0; i < s->x->contacts; i++) lives |= s->live[i];
+    if (!lives) return -1;
+    s->x->jam |= JAM_ENDED;
+    end_unsolvable(s);
+    return 1;
+}
+
+#endif
