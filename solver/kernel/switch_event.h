@@ -316,7 +316,7 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
 {
     signals_at(c, t, c->k.signal_rate);
     if (have_jumped(c, c->k.signal_rate, c->k.signal1)) return HOLONOM_SIGNAL_JUMPS;
-    c->stop = NAN;
+    seek_stop_anew(c);
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
     c->quick = t - c->switched > c->pause ? 0 : c->quick + 1;
