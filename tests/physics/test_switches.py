@@ -99,7 +99,7 @@ def test_a_pulse_many_communication_steps_ahead_is_seen():
 
 
 def test_a_switch_comes_sooner_where_a_parameter_or_an_input_begins_to_change():
-    """Pushed from 1.55 s, 5 s until the parameter changes, and from 1.13 s, as u goes up in 0.1 s."""
+    """Pushed from 1.55 s, 5 s at first, and from 1.13 s, as u goes up in 0.1 s."""
     text = POINT.format(law="(1 if t > late else 0) + (10 if u > 0.3 else 0)", x=0, v=0)
     text += '[inputs]\nu = { start = 0, interpolation = "ramp" }\n'
     text += '[parameters]\nlate = { value = 5, variability = "tunable" }\n'
