@@ -243,11 +243,12 @@ static inline int slip_stops(const impact_path *s)
 
 enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60 };
 
-/* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it. */
+/* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it.
+   Returns the error of the step over what is allowed.                                                            */
 HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, double *end, double *gamma)
 {
     const int32_t n = s->x->rows + s->x->contacts + 2;
-    double *q = s->start;
+    double *q = s->start, error = 0.0;
     for (int32_t turn = 0; turn <= s->x->contacts && lost > -2; turn++, lost = margin_lost(s, end, gamma)) {
         double low = 0.0, high = h;
         rates_in_piece(s, gamma, q);
@@ -257,7 +258,7 @@ HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, dou
         double at_low = fmax(margin_in_piece(s, lost, end, s->gamma, q), 1e-15);
         for (int search = 0, side = 0; search < MOST_SEARCHES && high - low > 1e-15 * high; search++) {
             h = low + (high - low) * fmin(fmax(at_low / (at_low - at_high), 1e-9), 1.0 - 1e-9);
-            try_turning(s, h, end, gamma);
+            error = try_turning(s, h, end, gamma);
             rates_in_piece(s, gamma, q);
             const double margin = margin_in_piece(s, lost, end, gamma, q);
             if (fabs(margin) <= 1e-15) break;
@@ -272,7 +273,7 @@ HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, dou
             }
         }
     }
-    return h;
+    return error;
 }
 
 /* Follows a turning piece until an event; 0, or 1 if it does not get on. */
@@ -301,7 +302,10 @@ HM_SELDOM static int go_round(impact_path *s)
             continue;
         }
         const int32_t lost = margin_lost(s, end, gamma);
-        if (lost > -2) end_of_piece(s, lost, h / unit, end, gamma);
+        if (lost > -2 && (!(end_of_piece(s, lost, h / unit, end, gamma) <= 1.0) || slip_lost(s, gamma))) {
+            h *= 0.25; /* what was lost may be an artefact of a stage behind the event */
+            continue;
+        }
         const double way = end[n - 1], pace = rates_in_piece(s, gamma, s->start);
         memcpy(s->q, end, sizeof(double) * (size_t)x->rows);
         grow_sizes(s, 1.0);
