@@ -27,6 +27,7 @@ typedef struct contact_problem {
     const double *W, *b;             /* rows x rows, may be singular; rows                                          */
     double *p, *rate;                /* rows, overwritten: p, gamma                                                 */
     double *scratch;                 /* CONTACT_SCRATCH(rows) doubles                                               */
+    double least_size;               /* weighted rate below which none counts as large: of b that is a small rest of larger terms, else 0 */
     int32_t several;                 /* overwritten: whether there are several solutions with different rates       */
 } contact_problem;
 
@@ -82,7 +83,7 @@ static inline double work_of_solution(const contact_problem *x)
    round.                                                                                                         */
 HM_SELDOM static double weigh_rows(const contact_problem *x, const contact_parts *s)
 {
-    double size = 0.0;
+    double size = x->least_size;
     for (int32_t i = 0; i < x->contacts; i++) {
         double stiffness = 0.0;
         const int32_t k = x->first[i];
@@ -333,25 +334,34 @@ HM_SELDOM static int continue_in_friction(const contact_problem *x, const contac
     return 0;
 }
 
-/* From starts at which all push, or one of them, the solution of most work. */
-HM_SELDOM static int from_pushing(contact_problem *x, const contact_parts *s, double size)
+enum { MOST_IN_SETS = 5 };
+
+/* From starts at which one set of contacts after the other pushes, sticking as it must or with impulses of the size of rates, the
+   solution of that work. */
+HM_SELDOM static int from_pushing(contact_problem *x, const contact_parts *s, double size, int wanted)
 {
     double best = 0.0, *start = s->columns;
     int found = 0;
-    for (int32_t j = -1; j < x->contacts; j++)
-        for (int far = 0; far < 2; far++) {
-            for (int32_t k = 0; k < x->rows; k++) x->p[k] = 0.0;
-            for (int32_t i = 0; i < x->contacts; i++) {
+    const int32_t n = x->contacts, sets = n <= MOST_IN_SETS ? (1 << n) - 1 : n + 1;
+    for (int32_t set = 1; set <= sets; set++)
+        for (int far = 0; far < 3; far++) {
+            for (int32_t i = 0; i < n; i++) {
+                const int pushes = n <= MOST_IN_SETS ? set >> i & 1 : set > n || set == i + 1;
+                s->digit[i] = pushes ? CHOICE_PUSHES : CHOICE_PARTS;
+            }
+            if (far == 0) choice_fits(x, s, size);
+            for (int32_t k = 0; k < x->rows && far > 0; k++) x->p[k] = 0.0;
+            for (int32_t i = 0; i < n && far > 0; i++) {
                 const int32_t k = x->first[i];
-                if (j >= 0 && j != i) continue;
-                x->p[k] = (far ? 10.0 : 1.0) * size * s->weight[k];
+                if (s->digit[i] == CHOICE_PARTS) continue;
+                x->p[k] = (far > 1 ? 10.0 : 1.0) * size * s->weight[k];
                 for (int32_t t = k + 1; t <= k + x->tangents[i] && x->slides[i]; t++)
                     x->p[t] = -x->coefficient[i] * x->p[k] * x->way[t];
             }
             if (!iterate_contacts(x, s, size, 0)) continue;
             contact_rates(x);
             const double work = work_of_solution(x);
-            if (found && !(work > best)) continue;
+            if (found && !(wanted == MOST_WORK ? work > best : work < best)) continue;
             found = 1, best = work;
             memcpy(start, x->p, sizeof(double) * (size_t)x->rows);
         }
@@ -394,7 +404,7 @@ HM_SELDOM static int hm_solve_contacts(contact_problem *x, int wanted)
         found = iterate_contacts(x, &s, size, MOST_SWEEPS_FIRST) || (!count && has_friction(x) && continue_in_friction(x, &s, size, s.columns));
     if (!found && !count && !has_friction(x)) found = try_choices(x, &s, size, count_choices(x), wanted);
     for (int32_t i = 0; i < x->contacts; i++) s.mu[i] = x->coefficient[i];
-    if (!found && !count) found = from_pushing(x, &s, size);
+    if (!found && !count) found = from_pushing(x, &s, size, wanted);
     if (!found) return 1;
     tidy(x, &s);
     contact_rates(x);

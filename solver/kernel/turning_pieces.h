@@ -103,14 +103,15 @@ HM_SELDOM static double size_of_rates(const impact_path *s, const double *q)
     return walls > 0.0 ? largest / walls : 0.0;
 }
 
-/* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less; below 0 where walls would have to
-   retreat.                                                                                                       */
+/* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less; below 0 where walls have to
+   turn back.                                                                                                     */
 HM_SELDOM static double rates_in_piece(impact_path *s, double *gamma, double *q)
 {
     if (s->by_law) rates_by_law(s, gamma, q);
     else rates_by_statuses(s, gamma, q);
+    s->pace = 1.0;
     if (!s->by_path) return 1.0;
-    const double pace = 1.0 / size_of_rates(s, q);
+    const double pace = s->pace = 1.0 / size_of_rates(s, q);
     for (int32_t k = 0; k < s->x->rows; k++) q[k] *= pace;
     return pace;
 }
@@ -179,7 +180,10 @@ HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, con
     const int32_t i = which / MARGINS, k = x->first[i], n = impact_slips(x, i);
     const double size = size_of_rates(s, q);
     switch (which % MARGINS) {
-    case MARGIN_PUSHES: return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) - 1e-14;
+    case MARGIN_PUSHES: {
+        const double turned = s->pace < 0.0 ? 2.0 * PAST_TURN : -1e-14; /* past the turn of the walls all that they alone push would pull */
+        return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) + turned;
+    }
     case MARGIN_CONE:
         if (s->on[i] == PUSHES_BEGINNING) return 1.0 - hm_length(n, gamma + k + 1) / (HAS_BEGUN * s->size[k + 1]);
         if (s->on[i] != PUSHES_STUCK || !n || s->by_law) return INFINITY;
@@ -287,13 +291,13 @@ HM_SELDOM static int go_round(impact_path *s)
         s->by_path = 0;
         rates_in_piece(s, s->gamma, s->q);
         const double size = size_of_rates(s, s->q);
-        if (size > LARGE_RATES) {
+        if (fabs(size) > LARGE_RATES) {
             s->by_path = 1;
             rates_in_piece(s, s->gamma, s->q);
         }
         rates_of_impulses(x, s->q, s->turn);
         if (done > 0.0 && (slip_stops(s) || !slip_turns(s))) break;
-        const double rest = end_of_walls(s), unit = s->by_path ? 1.0 / size : 1.0; /* h is by the clock */
+        const double rest = end_of_walls(s), unit = s->by_path ? 1.0 / fabs(size) : 1.0; /* h is by the clock */
         h = fmin(fmin(h, rest), before_stops(s) * unit);
         if (!(h > 1e-16 * unit)) break;
         const double error = try_turning(s, h / unit, end, gamma);
@@ -316,7 +320,7 @@ HM_SELDOM static int go_round(impact_path *s)
         const int at_rest = fabs(rest - way) <= 1e-14;
         const int is_back = move_walls(s, at_rest ? rest : way);
         done += h;
-        if (lost > -2 || at_rest || is_back || !(pace > 0.0)) break;
+        if (lost > -2 || at_rest || is_back || !(pace > -PAST_TURN)) break;
         h *= fmin(6.0, 0.9 * hm_pow(fmax(error, 1e-10), -0.125));
     }
     s->by_law = 0;
