@@ -229,7 +229,7 @@ HM_SELDOM static int rates_of_path(impact_path *s, double slow)
         for (int32_t k = 0; k < y->rows; k++) moves |= s->b[k] != 0.0;
         memset(s->q, 0, sizeof(double) * (size_t)x->rows);
         if (!moves) return 0;
-        if (hm_solve_contacts(y, s->way_sign > 0.0 ? LEAST_WORK : MOST_WORK)) return 1;
+        if (hm_solve_contacts(y, s->way_sign > 0.0 ? LEAST_WORK_IF_ANY : MOST_WORK)) return 1;
         if (!joints) hm_share_impulses(y);
         for (int32_t c = 0; c < y->contacts; c++)
             for (int32_t a = 0; a <= s->tangents[c]; a++) s->q[x->first[s->active[c]] + a] = s->p[s->first[c] + a];

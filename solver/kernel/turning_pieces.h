@@ -81,7 +81,7 @@ HM_SELDOM static void rates_by_law(impact_path *s, double *gamma, double *q)
     pack_rates(s, 0.0);
     s->gamma = now;
     for (int32_t k = 0; k < s->x->rows; k++) q[k] = 0.0;
-    if (hm_solve_contacts(&s->rates, s->way_sign > 0.0 ? LEAST_WORK : MOST_WORK)) {
+    if (hm_solve_contacts(&s->rates, s->way_sign > 0.0 ? LEAST_WORK_IF_ANY : MOST_WORK)) {
         q[0] = NAN; /* no step ends here */
         return;
     }
