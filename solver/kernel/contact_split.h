@@ -11,7 +11,6 @@
 
 #define SAME_ROW 1e-10   /* pivot of W with the diagonal 1 that counts as zero                                       */
 #define WELL_INSIDE 1e-7 /* of the coefficients: a split that is so far inside its cones if there is one stays inside as it is */
-#define SLIPS 1e-6       /* rate over the largest one that counts as a slip                                          */
 
 /* Vectors of a split over the scratch `rest`. */
 typedef struct shared_forces {
@@ -24,13 +23,14 @@ HM_SELDOM static shared_forces map_shared(const context *c)
 {
     const int64_t n = c->m->n_hit_rows;
     double *d = c->k.rest;
-    int32_t *i = (int32_t *)(void *)(d + 2 * n * n + 10 * n);
+    int32_t *i = (int32_t *)(void *)(d + 2 * n * n + 11 * n);
     shared_forces x = {.matrix = d, .p = d + 2 * n * n, .weight = d + 2 * n * n + n, .coefficient = d + 2 * n * n + 2 * n,
                        .g = d + 2 * n * n + 3 * n, .diagonal = d + 2 * n * n + 4 * n, .contact = i, .row = i + n, .first = i + 2 * n,
                        .tangents = i + 3 * n, .order = i + 4 * n};
     x.split = (rest_split){.first = x.first, .tangents = x.tangents, .coefficient = x.coefficient, .B = c->k.hit_reach, .g = x.g,
                            .force = d + 2 * n * n + 5 * n, .dual = d + 2 * n * n + 6 * n, .way = d + 2 * n * n + 7 * n,
-                           .defect = d + 2 * n * n + 8 * n, .trial = d + 2 * n * n + 9 * n, .matrix = d + n * n};
+                           .defect = d + 2 * n * n + 8 * n, .trial = d + 2 * n * n + 9 * n,
+                           .base = d + 2 * n * n + 10 * n, .matrix = d + n * n};
     return x;
 }
 
@@ -162,32 +162,6 @@ HM_SELDOM static void share_forces(const context *c, const shared_forces *x, dou
     }
 }
 
-/* Lets frictions of contacts that do not hold slide, all that have a slip in the motion that the unbounded dual is: with y for
-   velocities, and rates B'y, the forces at hand do more work than any inside the cones. Returns whether there is one. */
-HM_SELDOM static int slide_together(context *c, const shared_forces *x)
-{
-    const rest_split *s = &x->split;
-    double largest = 0.0;
-    int slides = 0;
-    for (int32_t l = 0; l < s->rows; l++) {
-        x->p[l] = 0.0;
-        for (int32_t k = 0; k < s->rank; k++) x->p[l] += s->B[s->rows * k + l] * s->dual[k];
-        largest = fmax(largest, fabs(x->p[l]));
-    }
-    for (int32_t i = 0; i < s->contacts; i++) {
-        const double *rate = x->p + x->first[i];
-        double size2 = 0.0, along[3] = {0.0, 0.0, 0.0};
-        for (int32_t l = 1; l <= x->tangents[i]; l++) size2 += rate[l] * rate[l];
-        const double size = sqrt(size2);
-        if (!(size > SLIPS * largest)) continue;
-        for (int32_t l = 1; l <= x->tangents[i]; l++) along[l - 1] = -rate[l] / size;
-        let_slide(c, c->m->contact_friction[x->contact[i]], along);
-        blame(c, x->row[x->first[i] + 1]);
-        slides = 1;
-    }
-    return slides;
-}
-
 #define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
 #define LOAD_ACCURACY 1e-12
 
@@ -214,7 +188,7 @@ enum togetherness {
 };
 
 /* Finds out, of closed contacts that do not slide, with the multipliers in event_mu. `load`, if wanted, is the least factor of all
-   coefficients with which they would hold; else those slide that give way. */
+   coefficients with which they would hold. */
 HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, double *load)
 {
     shared_forces x = map_shared(c);
@@ -235,7 +209,7 @@ HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, doubl
     if (has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN))) {
         *how = HOLD;
         share_forces(c, &x, size);
-    } else if (!load && slide_together(c, &x)) *how = GIVE_WAY;
+    } else if (!load) *how = GIVE_WAY;
     return HOLONOM_OK;
 }
 
