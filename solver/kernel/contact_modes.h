@@ -100,8 +100,8 @@ static int32_t agree_with_forces(context *c)
         enum togetherness how = HOLD;
         if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
         if (how == GIVE_WAY && (status = find_modes_by_law(c, together))) return status;
-        together |= how == GIVE_WAY;
-        if (how == GIVE_WAY || (how == NOT_TOGETHER && (open_worst(c, none) || slide_worst(c, none)))) continue;
+        together |= how >= GIVE_WAY;
+        if (how >= GIVE_WAY || (how == NOT_TOGETHER && (open_worst(c, none) || slide_worst(c, none)))) continue;
         if (turn_back(c) || close_worst(c) || (together && !c->gives_way && hold_still(c))) continue;
         if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
         change--;
@@ -109,12 +109,12 @@ static int32_t agree_with_forces(context *c)
     return HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* Lets contacts share forces where the multipliers of half steps to come are outside the cones. */
+/* Lets what sticks share forces where the multipliers of half steps to come are outside the cones. */
 static int32_t share_means(context *c)
 {
     enum togetherness how;
     double load;
-    if (!c->m->n_contacts) return HOLONOM_OK;
+    forget_shares(c);
     memcpy(c->k.event_mu, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
     return is_beyond(c, CONE_MARGIN * largest_normal(c, c->s.mean)) ? hold_together(c, &how, &load) : HOLONOM_OK;
 }
