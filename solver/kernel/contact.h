@@ -127,23 +127,13 @@ HM_SELDOM static void guess_friction(context *c, int32_t f)
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }
 
-/* Whether contacts share forces otherwise than rows do. */
-static int has_shares(const context *c)
-{
-    for (int32_t i = 0; i < n_contacts(c->m); i++)
-        if (contact_of(c, i)[C_SHARES] != 0.0) return 1;
-    return 0;
-}
+/* Whether what sticks shares forces otherwise than rows do. */
+static int has_shares(const context *c) { return c->s.head[S_SHARES] != 0.0; }
 
-/* Adds to multipliers mu of half steps what their contacts share otherwise than rows do, see contact_split.h. */
+/* Adds to multipliers mu of half steps what is shared otherwise than rows do, see contact_split.h. */
 static void add_shares(const context *c, double *mu)
 {
-    for (int32_t i = 0; i < n_contacts(c->m); i++) {
-        const int32_t f = c->m->contact_friction[i];
-        if (contact_of(c, i)[C_SHARES] == 0.0) continue;
-        mu[row_of(c, c->m->contact_row[i])] += contact_of(c, i)[C_SHIFT];
-        for (int k = 0; f >= 0 && k < n_slips(c, f); k++) mu[row_of(c, slip_row(c, f, k))] += friction_of(c, f)[F_SHIFT_1 + k];
-    }
+    for (int32_t i = 0; i < c->m->n_rows && has_shares(c); i++) mu[i] += c->s.shift[i];
 }
 
 /* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at hand; signal_rate is that

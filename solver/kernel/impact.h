@@ -37,15 +37,21 @@ static int32_t fill_matrix(const context *c, int32_t rows, const int32_t *row, d
     return status;
 }
 
+/* What W of composite `row` would be without bilateral rows. */
+HM_SELDOM static double stiffness_alone(const context *c, int32_t row)
+{
+    double alone = 0.0;
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    add_row_gradient(c, row, 1.0);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++)
+        alone += hm_square(c->k.momentum[k]) / c->number[c->m->node_mass_at + k / DIM];
+    return alone;
+}
+
 /* Whether the bilateral rows hold row r of an impact at rest, since it depends on them. */
 HM_SELDOM static int is_held(const context *c, const hit *x, int32_t r)
 {
-    double alone = 0.0; /* what W would be without bilateral rows */
-    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    add_row_gradient(c, x->row[r], 1.0);
-    for (int32_t k = 0; k < DIM * c->m->n_free; k++)
-        alone += hm_square(c->k.momentum[k]) / c->number[c->m->node_mass_at + k / DIM];
-    return fabs(x->before[r]) <= speed_tolerance(c) && x->W[(int64_t)(x->law.rows + 1) * r] <= HELD * alone;
+    return fabs(x->before[r]) <= speed_tolerance(c) && x->W[(int64_t)(x->law.rows + 1) * r] <= HELD * stiffness_alone(c, x->row[r]);
 }
 
 /* Takes out of the law the rows that others hold: nothing but round-off is left of them, at which no law is. */

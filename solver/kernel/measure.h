@@ -52,6 +52,7 @@ static void extrapolate(const context *c, int32_t n, const double *mean, const d
 static void mean_forces(const context *c, const hm_measured *y)
 {
     extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
+    if (is_unilateral(c->m)) add_shares(c, y->multiplier);
     extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
 
@@ -156,7 +157,6 @@ static void measure_contacts(const context *c, const hm_measured *y)
     if (!is_unilateral(m)) return;
     double *mu = c->k.event_mu;
     memcpy(mu, y->multiplier, sizeof(double) * (size_t)m->n_rows);
-    add_shares(c, mu);
     quantities_at_state(c);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     for (int32_t i = 0; i < n_contacts(m); i++) {
