@@ -220,7 +220,7 @@ HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, doubl
     shared_forces x = map_shared(c);
     rest_split *s = &x.split;
     *how = NOT_TOGETHER;
-    if (!collect_shared(c, &x)) return HOLONOM_OK;
+    if (!collect_shared(c, &x) || torn_loose(c, NULL) >= 0) return HOLONOM_OK; /* forces at hand do not hold: no others with the same sum do */
     for (int32_t r = 0; r < s->rows; r++) x.p[r] = -c->k.event_mu[row_of(c, x.row[r])];
     const int32_t status = fill_shared(c, &x);
     if (status) return status;
