@@ -101,7 +101,7 @@ static int32_t agree_with_forces(context *c)
         if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
         if (how == GIVE_WAY && (status = find_modes_by_law(c, together))) return status;
         together |= how >= GIVE_WAY;
-        if (how >= GIVE_WAY || (how == NOT_TOGETHER && (open_worst(c, none) || slide_worst(c, none)))) continue;
+        if (how >= GIVE_WAY || (how == NOT_TOGETHER && (tear_loose(c) || open_worst(c, none) || slide_worst(c, none)))) continue;
         if (turn_back(c) || close_worst(c) || (together && !c->gives_way && hold_still(c))) continue;
         if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
         change--;

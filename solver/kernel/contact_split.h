@@ -340,7 +340,7 @@ HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, doubl
     double *kept = c->k.rest_modes, *w = kept + C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions;
     shared_forces x = map_shared(c);
     *how = NOT_TOGETHER;
-    if (!collect_shared(c, &x)) return HOLONOM_OK;
+    if (!collect_shared(c, &x) || torn_loose(c, NULL) >= 0) return HOLONOM_OK; /* forces at hand do not hold: no others with the same sum do */
     memcpy(kept, c->s.contacts, modes);
     memcpy(w, c->k.w, n);
     const int32_t status = try_together(c, &x, how, load);

@@ -318,6 +318,29 @@ static int has_ended(const context *c, int32_t k)
     return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k);
 }
 
+#define FAR_MORE 100.0
+
+/* Lets friction f stick, whose slip has ended, and takes what is left of it: slips have the rates that a step leaves of its rows. At a
+   dead centre, where the mechanism hardly slips however fast it moves, that would take much of its energy, far more than
+   frictions do at their cones in the time that the slip has left. It slides on then.                              */
+HM_SELDOM static int32_t stop_slip(context *c, int32_t f)
+{
+    const event_values at = values_at(c, AT_TRIAL);
+    const double slip = slip_of(c, f, NULL), growth = at.rate[c->m->n_contacts + f];
+    double force = 0.0, taken = 0.0;
+    for (int32_t g = 0, k = c->m->n_contacts; g < c->m->n_frictions; g++, k++) {
+        const double normal = normal_force(c, g, c->k.event_mu);
+        if (at.rate[k] < 0.0 && has_ended(c, k)) force += cone(c, g, 0, normal) + cone(c, g, 1, normal);
+    }
+    let_stick(c, f);
+    const int32_t status = find_disallowed(c);
+    if (status) return status;
+    for (int32_t i = 0; i < c->m->n_rows; i++) taken += 0.5 * c->k.mu[i] * c->k.phi[i];
+    if (slip > speed_tolerance(c) && taken * -growth > FAR_MORE * 0.5 * force * slip * slip) friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
+    else take_disallowed(c, S_FRICTION);
+    return HOLONOM_OK;
+}
+
 /* Changes the modes that have ended: contacts without force open, frictions at their cones slide, those without slip stick. */
 HM_SELDOM static int32_t change_modes(context *c)
 {
@@ -333,8 +356,7 @@ HM_SELDOM static int32_t change_modes(context *c)
         double along[3];
         if (mode == FRICTION_OFF || !has_ended(c, k)) continue;
         if (mode == FRICTION_SLIDES) {
-            let_stick(c, f);
-            const int32_t status = project_velocities(c, S_FRICTION);
+            const int32_t status = stop_slip(c, f);
             if (status) return status;
             continue;
         }
