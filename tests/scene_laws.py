@@ -132,7 +132,8 @@ class Around:
         x, n = self.before, self.before.n_free
         state = State(x)
         near = TOUCH * x.section["extent"][0] + 2.0 * between * np.abs(state.gap_rates)
-        self.touching = np.flatnonzero(state.gaps <= near).tolist()
+        pushed = self.after.of_contacts[:, 4] > x.of_contacts[:, 4]
+        self.touching = np.flatnonzero(pushed | (state.gaps <= near)).tolist()
         self.normal = [x.contacts[i][0] for i in self.touching]
         of = [x.contacts[i][1] for i in self.touching]
         self.slips = [[] if f is None else x.frictions[f].rows for f in of]
@@ -149,7 +150,7 @@ class Around:
         self.rates, self.rates_after = (
             y - self.A.T @ (back @ y[held]) for y in (state.rates, State(self.after).rates)
         )
-        self.speed = float(np.linalg.norm(root.T @ x.v[:n]))
+        self.speed = max(float(np.linalg.norm(root.T @ x.v[:n])), float(np.linalg.norm(self.jump)))
         force = sum(np.linalg.norm(root.T @ y.vectors["a_second"][:n]) for y in (x, self.after))
         on = np.flatnonzero(x.rows_on())
         left = np.linalg.lstsq(self.A[:, on].T, state.rates[on], rcond=DEPENDENT)[0]
@@ -158,7 +159,8 @@ class Around:
         surfaces = np.abs(psi - G @ x.v)[[r for rows in self.slips for r in rows]]
         self.driven = bool(len(x.vectors["signal"])) or bool(np.any(surfaces > 0.0))
         self.loss = self.after.head["impact"] - x.head["impact"]
-        self.impulses = (self.after.of_contacts - x.of_contacts)[self.touching, 4]
+        changes = (self.after.of_contacts - x.of_contacts)[self.touching]
+        self.hits, self.impulses = float(np.sum(changes[:, 3])), changes[:, 4]
 
     @property
     def approach(self) -> float:
@@ -191,8 +193,9 @@ def check_impact(x: Around) -> None:
     off = misfit(columns, x.free @ x.jump)
     claim(off <= small, "impulses are not in the cones of contacts", off, size)
     scale = np.linalg.norm(x.free @ x.A[:, x.normal], axis=0)
-    after = x.rates_after[x.normal]
-    claim(bool(np.all(after >= -small * np.maximum(scale, 1e-9 * max(scale)))),
+    gaps, extent = State(x.after).gaps[x.touching], x.before.section["extent"][0]
+    after = np.where(gaps <= TOUCH * extent, x.rates_after[x.normal], 0.0)
+    claim(bool(np.all(after >= -small * np.maximum(scale, 1e-3 * max(scale)))),
           "contacts approach after an impact", *after)  # fmt: skip
     kinetic = [0.5 * float(y.v @ y.M @ y.v) for y in (x.before, x.after)]
     if not x.driven:
@@ -224,6 +227,8 @@ def check_restitution(x: Around, energy: float, small: float) -> None:
     if any(x.friction) or x.rubs:
         return
     fast = [k for k, row in enumerate(x.normal) if x.rates[row] < -x.before.head["rest_speed"]]
+    if x.hits != len(fast):
+        return  # one after the other
     if not x.driven and np.all(x.restitution[fast] == 1.0):
         claim(abs(x.loss) <= energy, "an elastic impact loses energy", x.loss)
     if len(x.normal) == 1:
@@ -301,7 +306,7 @@ def check_rest(run: Integrator) -> None:
     free, back = spread(A[:, x.bilateral].T)
     growth = at.bias + at.G @ driven
     a = free @ np.linalg.solve(root, (at.Q - x.M @ driven)[:n]) - back @ growth[x.bilateral]
-    wanted, A = -(A.T @ a + growth), free @ A
+    wanted, whole, A = -(A.T @ a + growth), np.linalg.norm(A, axis=0), free @ A
     rows, columns, begins = [], [], []
     for i in closed:
         row, f = x.contacts[i]
@@ -322,7 +327,7 @@ def check_rest(run: Integrator) -> None:
 
     def unheld(rows: list[int], columns: list[Array]) -> tuple[float, float]:
         scale = np.linalg.norm(A[:, rows], axis=0)
-        kept = scale > DEPENDENT * max(scale)
+        kept = scale > DEPENDENT * whole[rows]
         used, b = A[:, rows][:, kept] / scale[kept], wanted[rows][kept] / scale[kept]
         return misfit(used.T @ np.concatenate(columns, axis=1), b), float(np.linalg.norm(b)) + 1.0
 

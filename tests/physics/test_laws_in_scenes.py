@@ -80,7 +80,7 @@ def check_located(run: Integrator, size: float, *, knows: bool) -> None:
     losses: dict[str, float] = {}
     if knows:
         check_rest(run)
-    for _ in range(STEPS):
+    for step in range(STEPS):
         start, end = run.save(), run.time + h
         while left and end - run.time > 1e-3 * h and (states := enclose(run, end - run.time)):
             left -= 1
@@ -88,7 +88,7 @@ def check_located(run: Integrator, size: float, *, knows: bool) -> None:
             check_impact(around)
             check_path(around)
         run.restore(start)
-        still = is_still(run)
+        still = step > 0 and is_still(run)  # what carries nothing opens in the first step
         run.advance(run.time, h)
         losses = check_outputs(run, size, losses)
         if still and is_still(run):
