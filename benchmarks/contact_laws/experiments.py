@@ -201,6 +201,15 @@ DEMANDS = {"parked": 5.5 / GRAVITY, "below": 0.599, "above": 0.601}
 """Gravity along the ground over that across it: less, and more, than friction holds."""
 
 
+def parked_rows() -> tuple[Array, list[Array]]:
+    """Mass matrix (6, 6) of the parked box, and the rows (3, 6) of each of its corners."""
+    a = np.square(PARK_SIZE)
+    M = np.diag([PARK_MASS] * 3 + list(PARK_MASS * (a.sum() - a) / 12.0))
+    axes = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    corners = [0.5 * np.array(PARK_SIZE) * (x, y, -1.0) for x, y in product((-1, 1), repeat=2)]
+    return M, [np.array([[*axis, *np.cross(c, axis)] for axis in axes]) for c in corners]
+
+
 def slid(demand: float) -> float:
     """How far the box slides in the time [m]."""
     return max(0.0, 0.5 * GRAVITY * (demand - PARK_FRICTION) * PARK_TIME**2)

@@ -42,11 +42,12 @@ def answers(method: Method, keys: Collection[str] | None = None) -> Answers:
             after.append([float(x) for x in method.impact(*case)])
         except RefusedError as error:
             after.append(str(error))
-    for key, demand in DEMANDS.items() if method.rest and keys is None else ():
-        try:
-            rest[key] = asdict(method.rest(demand))
-        except RefusedError as error:
-            rest[key] = str(error)
+    if method.rest and keys is None:
+        for key, demand in DEMANDS.items():
+            try:
+                rest[key] = asdict(method.rest(demand))
+            except RefusedError as error:
+                rest[key] = str(error)
     return {"name": method.name, "settings": method.settings, "after": after, "rest": rest}
 
 
