@@ -102,7 +102,7 @@ METHODS = (
     Method(
         name="Siconos, Moreau-Jean",
         settings=(
-            f"theta {THETA:g}, contacts act below {ACTIVE:g} m; NSGS to {TOLERANCE:g}, in the plane "
+            f"theta {THETA:g}, contacts act below {ACTIVE:g} m; NSGS to {TOLERANCE:g}, in a plane "
             f"enumeration, without friction Lemke's LCP; an impact is one step, at rest steps of "
             f"{1e3 * STEP:g} ms"
         ),
