@@ -51,7 +51,8 @@ RADIUS = 1e-3
 PARK_STEP, PARK_SLIP, PARK_STIFFNESS = 1e-3, 1e-6, 1e8
 """Step [s], limit velocity [m/s] and stiffness of a corner [N/m]; damping is critical.
 
-With shorter steps or a smaller limit velocity its iteration fails, and it halves steps for minutes."""
+With shorter steps or a smaller limit velocity its iteration fails, and halved steps take minutes.
+"""
 
 
 class Build:
