@@ -98,7 +98,7 @@ def _impact(impact: Impact, mu: float, e: float) -> Array:
     if impact.key.startswith("cradle"):
         return _cradle(impact, law)
     if impact.key == "kane":
-        return _kane(impact, mu, law, size)
+        return _kane(mu, law, size)
     planar = impact.key == "rod"
     if planar:
         x, z = 0.5 * math.cos(ROD_ANGLE), 0.5 * math.sin(ROD_ANGLE)
@@ -109,7 +109,9 @@ def _impact(impact: Impact, mu: float, e: float) -> Array:
         Q = turned_by(BOX_TURN if impact.key == "corner" else (0.0, 0.0, 0.0))
         places, inertia, v = list(box_corners(Q)), box_inertia(), impact.before
         place = np.array([0.0, 0.0, -places[0][2]])
-    balls = "".join(_ball(f"b{i}", Q.T @ (places[i] + [0, 0, RADIUS])) for i in impact.order)
+    balls = "".join(
+        _ball(f"b{i}", Q.T @ (places[i] + np.array([0.0, 0.0, RADIUS]))) for i in impact.order
+    )
     body = (
         f'<body pos="{_words(place)}" quat="{_words(_quaternion(Q))}"><freejoint/>'
         f'<inertial pos="0 0 0" mass="1" diaginertia="{_words(inertia)}"/>{balls}</body>'
@@ -133,7 +135,7 @@ def _quaternion(Q: Array) -> Array:
     return found
 
 
-def _kane(impact: Impact, mu: float, law: str, size: int) -> Array:
+def _kane(mu: float, law: str, size: int) -> Array:
     """Angles of the hinges about -y are from the vertical, that of the second from the first."""
     height = float(np.cos(KANE_ANGLES).sum())
     bar = f'<inertial pos="0 0 -0.5" mass="1" diaginertia="{_words(np.ones(3) / 12.0)}"/>'
@@ -141,7 +143,8 @@ def _kane(impact: Impact, mu: float, law: str, size: int) -> Array:
     # The lowest place of the sphere is the end of the rod where this is turned by its angle.
     up = turned_by((0.0, KANE_ANGLES[1], 0.0)) @ [0.0, 0.0, RADIUS]
     ball = _ball("b0", np.array([0.0, 0.0, -1.0]) + up)
-    body = f'<body pos="0 0 {height!r}">{hinge}{bar}<body pos="0 0 -1">{hinge}{bar}{ball}</body></body>'
+    second = f'<body pos="0 0 -1">{hinge}{bar}{ball}</body>'
+    body = f'<body pos="0 0 {height!r}">{hinge}{bar}{second}</body>'
     model = _model(body, _pair("floor", "b0", mu, law, size), STEP, np.zeros(3))
     data = mujoco.MjData(model)
     data.qpos[:] = KANE_ANGLES[0], KANE_ANGLES[1] - KANE_ANGLES[0]
@@ -177,7 +180,7 @@ def _rest(demand: float) -> Rest:
     M, _ = parked_rows()
     half = 0.5 * np.array(PARK_SIZE)
     corners = [half * (x, y, -1.0) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1))]
-    balls = "".join(_ball(f"b{i}", c + [0, 0, RADIUS]) for i, c in enumerate(corners))
+    balls = "".join(_ball(f"b{i}", c + np.array([0.0, 0.0, RADIUS])) for i, c in enumerate(corners))
     body = (
         f'<body pos="0 0 {half[2]}"><freejoint/>'
         f'<inertial pos="0 0 0" mass="{PARK_MASS}" diaginertia="{_words(np.diag(M)[3:])}"/>'
@@ -200,10 +203,11 @@ METHODS = (
     Method(
         name="MuJoCo",
         settings=(
-            f"e = 0 by a damping ratio of {PLASTIC:g}; Euler, steps of {1e6 * STEP:g} us; elliptic cones, impratio {RATIO:g}, Newton to "
-            f"round-off; pairs with solref (-k, -d) for {STEPS} steps of a contact, solimp 0.9999, "
-            f"solreffriction that stops {STOPS:g} of a slip in a step; at rest steps of "
-            f"{1e3 * PARK_STEP:g} ms, a time constant of {PARK_STEPS} and 100 noslip iterations"
+            f"Euler, steps of {1e6 * STEP:g} us; elliptic cones, impratio {RATIO:g}, Newton to "
+            f"round-off; pairs with solref (-k, -d) for {STEPS} steps of a contact, damping ratio "
+            f"{PLASTIC:g} for e = 0, solimp 0.9999, solreffriction that stops {STOPS:g} of a slip "
+            f"in a step; at rest steps of {1e3 * PARK_STEP:g} ms, a time constant of {PARK_STEPS} "
+            f"and 100 noslip iterations"
         ),
         impact=_impact,
         rest=_rest,

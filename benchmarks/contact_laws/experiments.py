@@ -49,6 +49,11 @@ class Impact:
         """Rows of the normals."""
         return slice(None, None, 1 + self.tangents)
 
+    @property
+    def speed(self) -> float:
+        """Of the fastest approach [m/s]."""
+        return float(np.max(-(self.G @ self.before)[self.normals]))
+
     def energy(self, v: Array) -> float:
         """Kinetic energy [J]."""
         return 0.5 * float(v @ self.M @ v)

@@ -30,11 +30,6 @@ def loss(impact: Impact, after: Array) -> float:
     return impact.energy(impact.before) - impact.energy(after)
 
 
-def speed(impact: Impact) -> float:
-    """Of the fastest approach [m/s]."""
-    return float(np.max(-(impact.G @ impact.before)[impact.normals]))
-
-
 def figures(answers: Answers) -> dict[str, Value]:
     """Row of the table of laws; None where nothing was measured."""
     all_cases = found(answers)
@@ -69,7 +64,7 @@ def _restitution(case: Case, after: Array) -> float:
     """Error of the gap rates over the speed of the approach."""
     impact, _, e = case
     rates = [(impact.G @ v)[impact.normals] for v in (impact.before, after)]
-    return float(np.max(np.abs(rates[1] + e * rates[0]))) / speed(impact)
+    return float(np.max(np.abs(rates[1] + e * rates[0]))) / impact.speed
 
 
 def _limit(first: Found) -> float | None:
@@ -80,7 +75,7 @@ def _limit(first: Found) -> float | None:
         if impact.key == "rod" and mu in (0.0, 1e-9)
     }
     changes = [
-        float(np.max(np.abs(rate - ends[0.0, e][1]))) / speed(impact)
+        float(np.max(np.abs(rate - ends[0.0, e][1]))) / impact.speed
         for (mu, e), (impact, rate) in ends.items()
         if mu and (0.0, e) in ends
     ]
@@ -94,7 +89,7 @@ def _order(all_cases: Found) -> float | None:
     for (impact, mu, e), after in all_cases:
         before = told.setdefault((impact.key, mu, e), after)
         if impact.order == impact.turned:
-            changes.append(float(np.max(np.abs(after - before))) / speed(impact))
+            changes.append(float(np.max(np.abs(after - before))) / impact.speed)
     return max(changes, default=None)
 
 
