@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 from typing import Any
 
 import numpy as np
 
-from benchmarks.contact_laws.experiments import DEMANDS, Case, Impact, cases, slid
+from benchmarks.contact_laws.experiments import DEMANDS, IMPACTS, Case, Impact, cases, slid
 from benchmarks.contact_laws.method import Answers
+from benchmarks.contact_laws.textbook import springs
 from benchmarks.problems_parts import Array
 from benchmarks.report import Value
 
@@ -44,10 +46,18 @@ def figures(answers: Answers) -> dict[str, Value]:
         "elastic": max((abs(loss(c[0], v)) / c[0].energy(c[0].before) for c, v in first
                         if c[1] == 0.0 and c[2] == 1.0), default=None),
         "limit": _limit(first),
+        "springs": max((abs(loss(c[0], v) - loss(c[0], _sprung(c[0].key, c[1])))
+                        / c[0].energy(c[0].before) for c, v in first
+                        if c[2] == 1.0 and c[1] > 1e-3 and len(c[0].order) == 1), default=None),
         "order": _order(all_cases),
         "momentum": max((_momentum(c[0], v) for c, v in first if not c[0].tangents), default=None),
         "answered": f"{len(all_cases)} of {len(cases())}",
     }  # fmt: skip
+
+
+@cache
+def _sprung(key: str, mu: float) -> Array:
+    return springs(IMPACTS[key], mu)
 
 
 def _beyond(case: Case, after: Array) -> float:

@@ -32,6 +32,7 @@ LAWS = {
     "restitution": ("error of restitution, no friction", ".1e"),
     "elastic": ("change of energy, e = 1, no friction", ".1e"),
     "limit": ("change by friction of 1e-9", ".1e"),
+    "springs": ("e = 1, one contact: against springs", ".1e"),
     "order": ("change by the order of contacts", ".1e"),
     "momentum": ("change of momentum", ".1e"),
     "answered": "impacts answered",
@@ -108,12 +109,17 @@ METHOD = (
     "well. *Energy made* is the largest gain over the energy before. *Friction beyond its cone* "
     "is |T|/N less the coefficient, of the impulses. *Error of restitution* is that of gap rates "
     "over the speed of the approach. *Change by friction of 1e-9* is that of the rod's gap rate "
-    "against no friction. The order of contacts is that in which the code is told of them. Then a "
-    "box on four corners, with friction 0.6, stands for 1 s on a ground where gravity along it is "
-    "0.561, 0.599 and 0.601 of that across: the last slides by 4.905 mm."
+    "and slip against no friction. *Against springs* is the energy taken, over that before, "
+    "against a stiff spring with Coulomb's friction of each instant, integrated apart. The order "
+    "of contacts is that in which the code is told of them. Then a box on four corners, with "
+    "friction 0.6, stands for 1 s on a ground where gravity along it is 0.561, 0.599 and 0.601 of "
+    "that across: the last slides by 4.905 mm."
 )
 REMARKS = (
-    "Newton's and Poisson's law are solved apart, in `benchmarks/contact_laws/textbook.py`.",
-    "Where two laws differ, with friction and restitution, is no error of either: the third table "
-    "has what each takes. A stiff spring without damping, e = 1, follows the path of the impact.",
+    "Newton's and Poisson's law and springs are solved apart, in "
+    "`benchmarks/contact_laws/textbook.py`.",
+    "With friction and a restitution between 0 and 1 each law takes something else, and so does "
+    "each damping of a soft contact: the third table has what.",
+    "With several contacts at once even springs without damping give something else than the laws: "
+    "[impact experiments](explanation/impact_experiments.md) tell why.",
 )
