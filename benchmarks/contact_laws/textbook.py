@@ -8,6 +8,7 @@ with p_N,E >= e p_N,C and a cone of its own. Springs are what an elastic impact 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 
@@ -32,6 +33,8 @@ def impulses(W: Array, b: Array, tangents: int, mu: float, least: Array | None =
     """
     p, size = np.zeros(len(b)), 1 + tangents
     floor = np.zeros(len(b) // size) if least is None else least
+    if len(b) == 2 and tangents == 1:
+        return _one_in_the_plane(W, b, mu, float(floor[0]))
     for _ in range(SWEEPS):
         before = p.copy()
         for i, n in enumerate(range(0, len(b), size)):
@@ -45,6 +48,29 @@ def impulses(W: Array, b: Array, tangents: int, mu: float, least: Array | None =
         if np.max(np.abs(p - before)) <= ROUND_OFF * np.max(np.abs(p)):
             return p
     message = "its complementarity problem was not solved"
+    raise RefusedError(message)
+
+
+def _one_in_the_plane(W: Array, b: Array, mu: float, least: float) -> Array:
+    """Those of one contact, of all its modes the first that fits: strong friction has several."""
+    size = np.abs(b).max() + np.abs(W).max() * least
+    for closed, slides in product((True, False), (0.0, 1.0, -1.0)):
+        A, right = np.eye(2), np.array([least, 0.0])
+        if closed:
+            A[0], right[0] = W[0], -b[0]
+        if slides:
+            A[1] = slides * mu, 1.0
+        else:
+            A[1], right[1] = W[1], -b[1]
+        if abs(np.linalg.det(A)) < 1e-12 * np.abs(A).max():
+            continue
+        p = np.linalg.solve(A, right)
+        rates = b + W @ p
+        fits = p[0] >= least * (1.0 - ROUND_OFF) and rates[0] >= -1e-12 * size
+        held = abs(p[1]) <= mu * p[0] * (1.0 + 1e-12)
+        if fits and (slides * rates[1] >= 0.0 if slides else held):
+            return p
+    message = "it has no solution"
     raise RefusedError(message)
 
 
