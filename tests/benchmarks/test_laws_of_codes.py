@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from benchmarks.contact_laws import by_holonom, judge, section, textbook
-from benchmarks.contact_laws.experiments import IMPACTS, cases, slid
+from benchmarks.contact_laws.experiments import IMPACTS, Impact, cases, slid
 from benchmarks.contact_laws.method import Answers, answers
 from benchmarks.peer_interpreter import answer
 from benchmarks.report import Value
@@ -70,6 +70,24 @@ def test_located_impacts_take_what_was_computed_apart(located):
 def test_an_elastic_impact_of_one_contact_is_that_of_a_stiff_spring(located):
     """Of 4000 steps a contact; the error falls with their length, and is 7e-5 with 1000."""
     assert figure(judge.figures(located), "springs") < 3e-5
+
+
+@pytest.mark.parametrize(
+    "name", ["rod", "kane", "box3_corner", "box3_spin", "ball_fast", "rod_jam"]
+)
+def test_recorded_elastic_impacts_of_one_contact_are_those_of_a_stiff_spring(name):
+    """Also where friction pulls a contact in; 1000 steps a contact, of first order."""
+    given = json.loads(VALUES.read_text())["sets"][name]
+    M, before = np.linalg.inv(given["W"]), np.array(given["before"])
+    impact = Impact(
+        key=name, title=name, M=M, G=np.eye(len(before)), before=before,
+        tangents=len(before) - 1, order=(0,),
+    )  # fmt: skip
+    elastic = [case for case in given["cases"] if case["restitution"] == 1.0]
+    assert elastic
+    for case in elastic:
+        after = textbook.springs(impact, case["coefficient"], 1000)
+        assert after == pytest.approx(case["after"], abs=5e-4 * impact.speed)
 
 
 @pytest.mark.parametrize("law", ["energy", "order", "momentum"])
