@@ -64,7 +64,7 @@ def _one_in_the_plane(W: Array, b: Array, mu: float, least: float) -> Array:
             A[1], right[1] = W[1], -b[1]
         if abs(np.linalg.det(A)) < 1e-12 * np.abs(A).max():
             continue
-        p = np.linalg.solve(A, right)
+        p = np.asarray(np.linalg.solve(A, right), np.float64)
         rates = b + W @ p
         fits = p[0] >= least * (1.0 - ROUND_OFF) and rates[0] >= -1e-12 * size
         held = abs(p[1]) <= mu * p[0] * (1.0 + 1e-12)
