@@ -7,6 +7,7 @@
 #define HOLONOM_EVENT_H
 
 #include "contact_modes.h"
+#include "force_dips.h"
 #include "short_piece.h"
 
 /* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
@@ -117,8 +118,8 @@ static double largest_square(const context *c, const double *x)
 /* Speed of the fastest node; no gap grows much faster. */
 static double fastest_node(const context *c) { return sqrt(largest_square(c, c->s.v)); }
 
-/* A normal force above this part of its mean, and a friction that leaves this part of its cone, change no mode in the piece:
-   forces at the state need not be evaluated.                                                                    */
+/* A normal force above this part of its mean and of what it was at the start of the piece, and a friction that leaves this part of
+   its cone, change no mode in the piece: forces at the state need not be evaluated. */
 #define SAFE_NORMAL 0.3
 #define SAFE_FRICTION 0.2
 /* Likewise gaps farther than this many times the way of the fastest node, and slips larger than this many times their own
@@ -132,6 +133,22 @@ static int forces_stand_still(const context *c)
     for (int32_t i = 0; i < c->m->n_rows; i++)
         if (!(fabs(c->s.mean[i] - c->s.mean_before[i]) <= none)) return 0;
     return 1;
+}
+
+/* Where in a piece of length h from time t a force falls below the part of its larger value at both ends that is safe, and that of which
+   function (`which`) falls deepest; 0 if none does. */
+static double find_dip(const context *c, double t, double h, event_values low, event_values high, int32_t *which)
+{
+    double deepest = SAFE_NORMAL, place = 0.0;
+    if (has_shares(c)) return 0.0; /* no force of theirs vanishes by itself */
+    for (int32_t k = 0; k < c->m->n_contacts + c->m->n_frictions; k++) {
+        const int is_on = k < c->m->n_contacts ? is_closed(c, k) : friction_mode(c, k - c->m->n_contacts) == FRICTION_STICKS;
+        if (!is_on) continue;
+        double y[3] = {low.value[k], NAN, high.value[k]};
+        const double largest = fmax(y[0], y[2]), lowest = lowest_margin(c, k, t, h, y);
+        if (lowest == lowest && y[1] < deepest * largest) deepest = y[1] / largest, place = lowest, *which = k;
+    }
+    return place;
 }
 
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
@@ -155,7 +172,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
         if (is_closed(c, i)) {
             const double mean = -c->s.mean[row_of(c, m->contact_row[i])];
             x.value[i] = normal_of(c, i);
-            if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * mean)) return 0;
+            if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i]))) return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
     }
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
@@ -172,7 +189,8 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
             if (!(x.value[k] > change && low.value[k] > change)) return 0;
         }
     }
-    return 1;
+    int32_t which;
+    return find_dip(c, c->t - h, h, low, x, &which) == 0.0;
 }
 
 /* Values of function k from minus this to this count as zero. */
@@ -261,8 +279,11 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
             const double root = root_between(c, k, width, low, high);
             if (root < first) first = root, which = k;
         }
+        if (which < 0 && trial == 0 && (first = find_dip(c, t, h, low, high, &which)) == 0.0) return HOLONOM_OK;
+        /* What a trial showed at `end` counts as 0 by the forces at `begin`. */
+        const int is_end = which < 0 && end < h;
+        if (is_end) first = width, which = c->event;
         c->event = which;
-        if (which < 0 && trial == 0) return HOLONOM_OK;
         if (which < 0) { /* it only came close */
             *covered = h;
             undo_piece(c, t, law_time);
@@ -279,7 +300,7 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
         if (status) return status;
         int is_late = 0;
         for (int32_t k = 0; k < n; k++) is_late |= at.value[k] < -value_tolerance(c, k);
-        if (at.value[which] <= value_tolerance(c, which) && !is_late) return HOLONOM_OK;
+        if (is_end || (at.value[which] <= value_tolerance(c, which) && !is_late)) return HOLONOM_OK;
         if (width <= 2.0 * least) return HOLONOM_OK;
         copy_values(c, at, is_late ? high : low);
         if (is_late) end = *covered;

@@ -310,6 +310,7 @@ HEAD = (
     "jams", "newton_impacts",  # impacts in it that jammed, and where Newton's law stood in for the
     # energetic sweep, see impact_sweep.h
     "switched",  # changes of sides of laws in the last step, see switch_event.h
+    "quiet_until",  # no switch of the time changes before, as far as looked at, see switches.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
     "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
