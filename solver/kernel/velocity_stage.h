@@ -11,10 +11,10 @@
 
 #include "half_step_contacts.h"
 
-/* Keeps what contacts and frictions did in the first stage, which is at hand: impulses of all rows (in event_mu), and energies. */
+/* Keeps what contacts and frictions did in the first stage, which is at hand: impulses against all rows (in event_mu), and energies. */
 static void keep_first_stage(const context *c)
 {
-    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = -c->h * c->k.mu[i];
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = c->h * c->k.mu[i];
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t row = row_of(c, c->m->contact_row[i]);
         touch_of(c, i)->lands = is_closed(c, i) && touch_of(c, i)->was_closed == 0.0 ? 1.0 : 0.0;
@@ -67,7 +67,7 @@ static int collect_landing(const context *c, hit *x, int32_t island, double *tak
     for (int32_t k = 0; k < x->law.contacts; k++) {
         const int32_t i = x->contact[k], first = x->first[k];
         for (int32_t r = first; r <= first + x->tangents[k]; r++) {
-            x->out[r] = x->row[r] < 0 ? 0.0 : c->k.event_mu[row_of(c, x->row[r])];
+            x->out[r] = x->row[r] < 0 ? 0.0 : -c->k.event_mu[row_of(c, x->row[r])];
             x->normal[r] = 0.0;
         }
         if (i < 0) *rubbed += c->k.rubbed[-1 - i];
@@ -76,11 +76,12 @@ static int collect_landing(const context *c, hit *x, int32_t island, double *tak
     return 1;
 }
 
-/* Takes these impulses out of the rates before, with that part of the normal ones that gives back what was `taken`, and of `out` tells all. */
-static void take_out(const context *c, const hit *x, double taken)
+/* Part of the impulses x->normal to be taken out, with all of x->out, that gives back what was `taken`: the larger root of the energies;
+   negative: there is none.                                                                                        */
+static double part_taken_out(const hit *x, double taken)
 {
     const int32_t n = x->law.rows;
-    double square = 0.0, linear = 0.0, rest = -taken, part = 0.0;
+    double square = 0.0, linear = 0.0, rest = -taken;
     for (int32_t r = 0; r < n; r++) {
         double by_normal = 0.0, by_others = 0.0;
         for (int32_t s = 0; s < n; s++) {
@@ -92,8 +93,20 @@ static void take_out(const context *c, const hit *x, double taken)
         rest += x->out[r] * (0.5 * by_others - x->before[r]);
     }
     const double root2 = linear * linear - 4.0 * square * rest;
-    if (square > 0.0) part = fmax(0.5 * (sqrt(fmax(root2, 0.0)) - linear) / square, 0.0);
-    if (!(root2 >= 0.0)) c->s.head[S_UNPAID_IMPACTS] += 1.0;
+    return square > 0.0 && root2 >= 0.0 ? 0.5 * (sqrt(root2) - linear) / square : -1.0;
+}
+
+/* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone would give back more than was taken, the
+   same part of all of them goes.                                                                                  */
+static void take_out(const context *c, const hit *x, double taken)
+{
+    const int32_t n = x->law.rows;
+    double part = part_taken_out(x, taken);
+    if (part < 0.0) {
+        for (int32_t r = 0; r < n; r++) x->normal[r] += x->out[r], x->out[r] = 0.0;
+        part = fmax(part_taken_out(x, taken), 0.0);
+        c->s.head[S_MIXED_IMPACTS] += 1.0;
+    }
     for (int32_t r = 0; r < n; r++) x->out[r] += part * x->normal[r];
     for (int32_t r = 0; r < n; r++)
         for (int32_t s = 0; s < n; s++) x->before[r] -= x->W[(int64_t)n * r + s] * x->out[s];
@@ -215,29 +228,48 @@ static int stop_reversed(context *c)
     return stops;
 }
 
+/* Lets frictions slide on that would be stopped by a larger impulse (in mu) than that of their cones in the half step: at a dead centre, where
+   the mechanism hardly slips however fast it moves. Returns whether there are such.                               */
+static int tear_loose_in_step(context *c)
+{
+    int tears = 0;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (friction_mode(c, f) != FRICTION_STICKS || !(slip_of(c, f, NULL) > speed_tolerance(c))) continue;
+        const double impulse = cone(c, f, 0, normal_force(c, f, c->k.event_mu) / c->h) * c->h;
+        if (!(friction_force(c, f, c->k.mu, NULL) > 2.0 * impulse)) continue;
+        guess_friction(c, f);
+        tears = 1;
+    }
+    return tears;
+}
+
 /* Takes the rates of rows that are on, or only the slips of frictions that stick. */
 static int32_t hold(context *c, int slips_alone)
 {
     const int driven = is_driven(c);
     int32_t status = HOLONOM_OK;
-    suspend_sliding(c, NULL, 1);
-    stand_still(c);
-    if (!slips_alone) {
-        forget_dependent_rows(c);
-        judge_rows(c, NULL);
+    for (int again = 1; again && !status;) {
+        suspend_sliding(c, NULL, 1);
+        stand_still(c);
+        if (!slips_alone) {
+            forget_dependent_rows(c);
+            judge_rows(c, NULL);
+        }
+        status = factorise_at_state(c, NULL);
+        if (!status && slips_alone) {
+            memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
+            for (int32_t f = 0; f < c->m->n_frictions; f++)
+                for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
+                    c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
+        }
+        again = 0;
+        if (!status && (slips_alone || rates_to_stop(c))) {
+            velocities_for(c, c->k.hit_defect);
+            again = tear_loose_in_step(c);
+            if (!again) add_velocities(c, c->k.hit_defect, driven);
+        }
+        suspend_sliding(c, NULL, 0);
     }
-    status = factorise_at_state(c, NULL);
-    if (!status && slips_alone) {
-        memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
-        for (int32_t f = 0; f < c->m->n_frictions; f++)
-            for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
-                c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
-    }
-    if (!status && (slips_alone || rates_to_stop(c))) {
-        velocities_for(c, c->k.hit_defect);
-        add_velocities(c, c->k.hit_defect, driven);
-    }
-    suspend_sliding(c, NULL, 0);
     return status;
 }
 
