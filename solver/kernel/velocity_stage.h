@@ -5,19 +5,24 @@
    the part 1 - kappa of the normal ones of landing contacts. These impulses took energy; kappa = 1 + O(h) is such that
    all of that is given back, a quadratic equation, so that an impact loses what its law says, wherever in the half step it falls.
 
-   In islands where none lands, what holds has no rate.                                                            */
+   In islands where none lands, what holds has no rate. That is so, too, where so much touches that the path of an impact takes longer than
+   the step: landing contacts then part with rates f e |g'_0|, without friction, such that e^2 of what both stages take
+   with f = 0 is given back.                                                                                       */
 #ifndef HOLONOM_VELOCITY_STAGE_H
 #define HOLONOM_VELOCITY_STAGE_H
 
 #include "half_step_contacts.h"
 
-/* Keeps what contacts and frictions did in the first stage, which is at hand: impulses of all rows (in event_mu), and energies. */
+enum { LANDS = 1, LANDS_AMONG_MANY };
+enum { MANY_ROWS = 60 }; /* of contacts, frictions and joints that rub: dense matrices of theirs are factored for each piece of a path */
+
+/* Keeps what contacts and frictions did in the first stage, which is at hand: impulses against all rows (in event_mu), and energies. */
 static void keep_first_stage(const context *c)
 {
-    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = -c->h * c->k.mu[i];
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = c->h * c->k.mu[i];
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t row = row_of(c, c->m->contact_row[i]);
-        touch_of(c, i)->lands = is_closed(c, i) && touch_of(c, i)->was_closed == 0.0 ? 1.0 : 0.0;
+        touch_of(c, i)->lands = is_closed(c, i) && touch_of(c, i)->was_closed == 0.0 ? LANDS : 0.0;
         touch_of(c, i)->taken = is_closed(c, i) ? c->k.mu[row] * c->k.change[row] : 0.0;
     }
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
@@ -39,7 +44,7 @@ static int is_of_island(const context *c, int32_t j, int32_t island)
 static int contacts_land(const context *c, int32_t island)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (touch_of(c, i)->lands != 0.0 && is_of_island(c, c->m->contact_row[i], island)) return 1;
+        if (touch_of(c, i)->lands == LANDS && is_of_island(c, c->m->contact_row[i], island)) return 1;
     return 0;
 }
 
@@ -52,7 +57,7 @@ static double restitution_in_step(const context *c, int32_t i)
 }
 
 /* Collects what touches in that island, and joints that rub, with what the first stage did there: impulses to be taken out as a whole, those
-   of the normals of landing contacts, and energies taken. Returns 0 if there is no room.                          */
+   of the normals of landing contacts, and energies taken. Returns 0 if these are many.                            */
 static int collect_landing(const context *c, hit *x, int32_t island, double *taken, double *rubbed)
 {
     *taken = *rubbed = 0.0;
@@ -63,11 +68,11 @@ static int collect_landing(const context *c, hit *x, int32_t island, double *tak
         *taken += own->taken;
         if (c->m->contact_friction[i] >= 0) *rubbed += c->k.rubbed[c->m->contact_friction[i]];
     }
-    if (!add_joints_to_hit(c, x)) return 0;
+    if (!add_joints_to_hit(c, x) || x->law.rows > MANY_ROWS) return 0;
     for (int32_t k = 0; k < x->law.contacts; k++) {
         const int32_t i = x->contact[k], first = x->first[k];
         for (int32_t r = first; r <= first + x->tangents[k]; r++) {
-            x->out[r] = x->row[r] < 0 ? 0.0 : c->k.event_mu[row_of(c, x->row[r])];
+            x->out[r] = x->row[r] < 0 ? 0.0 : -c->k.event_mu[row_of(c, x->row[r])];
             x->normal[r] = 0.0;
         }
         if (i < 0) *rubbed += c->k.rubbed[-1 - i];
@@ -76,11 +81,12 @@ static int collect_landing(const context *c, hit *x, int32_t island, double *tak
     return 1;
 }
 
-/* Takes these impulses out of the rates before, with that part of the normal ones that gives back what was `taken`, and of `out` tells all. */
-static void take_out(const context *c, const hit *x, double taken)
+/* Part of the impulses x->normal to be taken out, with all of x->out, that gives back what was `taken`: the larger root of the energies;
+   negative: there is none.                                                                                        */
+static double part_taken_out(const hit *x, double taken)
 {
     const int32_t n = x->law.rows;
-    double square = 0.0, linear = 0.0, rest = -taken, part = 0.0;
+    double square = 0.0, linear = 0.0, rest = -taken;
     for (int32_t r = 0; r < n; r++) {
         double by_normal = 0.0, by_others = 0.0;
         for (int32_t s = 0; s < n; s++) {
@@ -92,8 +98,20 @@ static void take_out(const context *c, const hit *x, double taken)
         rest += x->out[r] * (0.5 * by_others - x->before[r]);
     }
     const double root2 = linear * linear - 4.0 * square * rest;
-    if (square > 0.0) part = fmax(0.5 * (sqrt(fmax(root2, 0.0)) - linear) / square, 0.0);
-    if (!(root2 >= 0.0)) c->s.head[S_UNPAID_IMPACTS] += 1.0;
+    return square > 0.0 && root2 >= 0.0 ? 0.5 * (sqrt(root2) - linear) / square : -1.0;
+}
+
+/* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone would give back more than was taken, the
+   same part of all of them goes.                                                                                  */
+static void take_out(const context *c, const hit *x, double taken)
+{
+    const int32_t n = x->law.rows;
+    double part = part_taken_out(x, taken);
+    if (part < 0.0) {
+        for (int32_t r = 0; r < n; r++) x->normal[r] += x->out[r], x->out[r] = 0.0;
+        part = fmax(part_taken_out(x, taken), 0.0);
+        c->s.head[S_MIXED_IMPACTS] += 1.0;
+    }
     for (int32_t r = 0; r < n; r++) x->out[r] += part * x->normal[r];
     for (int32_t r = 0; r < n; r++)
         for (int32_t s = 0; s < n; s++) x->before[r] -= x->W[(int64_t)n * r + s] * x->out[s];
@@ -129,7 +147,11 @@ static int32_t land(context *c, int32_t island)
     double taken, rubbed;
     hit x;
     map_hit(c, &x);
-    if (!collect_landing(c, &x, island, &taken, &rubbed)) return HOLONOM_IMPACT_UNSOLVED;
+    if (!collect_landing(c, &x, island, &taken, &rubbed)) {
+        for (int32_t i = 0; i < c->m->n_contacts; i++)
+            if (touch_of(c, i)->lands == LANDS && is_of_island(c, c->m->contact_row[i], island)) touch_of(c, i)->lands = LANDS_AMONG_MANY;
+        return HOLONOM_OK;
+    }
     memcpy(c->k.rest_modes, c->s.contacts, modes);
     open_all(c);
     const double kinetic = kinetic_energy(c, c->k.momentum);
@@ -215,29 +237,79 @@ static int stop_reversed(context *c)
     return stops;
 }
 
+/* Lets frictions slide on that would be stopped by a larger impulse (in mu) than that of their cones in the half step: at a dead centre, where
+   the mechanism hardly slips however fast it moves. Returns whether there are such.                               */
+static int tear_loose_in_step(context *c)
+{
+    int tears = 0;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (friction_mode(c, f) != FRICTION_STICKS || !(slip_of(c, f, NULL) > speed_tolerance(c))) continue;
+        const double impulse = cone(c, f, 0, normal_force(c, f, c->k.event_mu) / c->h) * c->h;
+        if (!(friction_force(c, f, c->k.mu, NULL) > 2.0 * impulse)) continue;
+        guess_friction(c, f);
+        tears = 1;
+    }
+    return tears;
+}
+
+/* Adds to velocities that stop, whose impulses are in mu, those with which contacts that land among many part. */
+static void add_parting(const context *c, double *stop)
+{
+    const int32_t n = DIM * c->n_moving, rows = c->m->n_rows;
+    double *part = c->k.free, lost = -mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop), given = 0.0, all = 0.0;
+    memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)rows);
+    memset(c->k.phi, 0, sizeof(double) * (size_t)rows);
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const touch *x = touch_of(c, i);
+        const int32_t row = row_of(c, c->m->contact_row[i]);
+        const double weight = hm_square(x->rate) / c->number[c->m->row_sigma_at + row];
+        if (x->lands != LANDS_AMONG_MANY || !(x->rate < 0.0)) continue;
+        lost += x->taken;
+        all += weight;
+        contact_of(c, i)[C_IMPACTS] += x->rate < -speed_tolerance(c) ? 1.0 : 0.0;
+        c->s.head[S_EVENTS] += 1.0;
+        if (!(-x->rate > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) continue;
+        given += hm_square(c->number[c->m->restitution_at + i]) * weight;
+        c->k.phi[row] = c->number[c->m->restitution_at + i] * x->rate;
+    }
+    if (!(given > 0.0)) return;
+    c->s.head[S_MIXED_IMPACTS] += 1.0;
+    velocities_for(c, part);
+    const double curved = 0.5 * mass_product(c, part, part), back = given / all * fmax(lost, 0.0);
+    const double linear = mass_product(c, part, c->s.v) + mass_product(c, part, stop);
+    const double root = linear + sqrt(fmax(linear * linear + 4.0 * curved * back, 0.0)), f = root > 0.0 ? 2.0 * back / root : 0.0;
+    for (int32_t k = 0; k < n; k++) stop[k] += f * part[k];
+    for (int32_t i = 0; i < rows; i++) c->k.mu[i] = c->k.event_mu[i] + f * c->k.mu[i];
+}
+
 /* Takes the rates of rows that are on, or only the slips of frictions that stick. */
 static int32_t hold(context *c, int slips_alone)
 {
     const int driven = is_driven(c);
     int32_t status = HOLONOM_OK;
-    suspend_sliding(c, NULL, 1);
-    stand_still(c);
-    if (!slips_alone) {
-        forget_dependent_rows(c);
-        judge_rows(c, NULL);
+    for (int again = 1; again && !status;) {
+        suspend_sliding(c, NULL, 1);
+        stand_still(c);
+        if (!slips_alone) {
+            forget_dependent_rows(c);
+            judge_rows(c, NULL);
+        }
+        status = factorise_at_state(c, NULL);
+        if (!status && slips_alone) {
+            memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
+            for (int32_t f = 0; f < c->m->n_frictions; f++)
+                for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
+                    c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
+        }
+        again = 0;
+        if (!status && (slips_alone || rates_to_stop(c))) {
+            velocities_for(c, c->k.hit_defect);
+            again = tear_loose_in_step(c);
+            if (!again && !slips_alone) add_parting(c, c->k.hit_defect);
+            if (!again) add_velocities(c, c->k.hit_defect, driven);
+        }
+        suspend_sliding(c, NULL, 0);
     }
-    status = factorise_at_state(c, NULL);
-    if (!status && slips_alone) {
-        memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
-        for (int32_t f = 0; f < c->m->n_frictions; f++)
-            for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
-                c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
-    }
-    if (!status && (slips_alone || rates_to_stop(c))) {
-        velocities_for(c, c->k.hit_defect);
-        add_velocities(c, c->k.hit_defect, driven);
-    }
-    suspend_sliding(c, NULL, 0);
     return status;
 }
 

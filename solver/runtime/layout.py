@@ -310,7 +310,7 @@ HEAD = (
     "stepped",  # whether a part of it was, see stepped.h
     "jams", "newton_impacts",  # impacts in it that jammed, and where Newton's law stood in for the
     # energetic sweep, see impact_sweep.h
-    "unpaid_impacts",  # in stepped mode, whose energies do not balance, see velocity_stage.h
+    "mixed_impacts",  # of stepped contacts, by the law and by the half step, see velocity_stage.h
     "switched",  # changes of sides of laws in the last step, see switch_event.h
     "quiet_until",  # no switch of the time changes before, as far as looked at, see switches.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
@@ -467,7 +467,7 @@ MEASURED = {
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts
     "contact_solver": "5 * unilateral",  # events of the last step, whether it was stepped, jams,
-    # impacts by Newton's law
+    # impacts by Newton's law, mixed ones
 }
 """Groups of measurements, in the section `measured` of the numbers."""
 
