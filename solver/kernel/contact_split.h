@@ -254,6 +254,8 @@ HM_SELDOM static int32_t share_forces(context *c, const shared_forces *x)
 
 #define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
 #define LOAD_ACCURACY 1e-12
+#define FAR_BELOW 0.99     /* load factors below, which no event is near to, need no more than FEW_DIGITS             */
+#define FEW_DIGITS 1e-2
 
 /* Least factor of all coefficients with which there is a split, or infinity. */
 static double load_factor(const rest_split *s)
@@ -262,7 +264,7 @@ static double load_factor(const rest_split *s)
     for (; !has_split(s, high); high *= 2.0)
         if (high > LARGEST_LOAD) return INFINITY;
         else low = high;
-    while (high - low > LOAD_ACCURACY * high) {
+    while (high - low > (high < FAR_BELOW ? FEW_DIGITS : LOAD_ACCURACY) * high) {
         const double middle = 0.5 * (low + high);
         if (has_split(s, middle)) high = middle;
         else low = middle;
