@@ -128,6 +128,15 @@ HM_SELDOM static void guess_friction(context *c, int32_t f)
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }
 
+/* Value at time t on the line through the means of the last steps. */
+static void extrapolate(const context *c, double t, int32_t n, const double *mean, const double *before, double *y)
+{
+    const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
+    double ahead = gap > 0.0 && gap < INFINITY ? (t - head[S_MEAN_TIME]) / gap : 0.0;
+    if (is_unilateral(c->m) && !(ahead <= FARTHEST)) ahead = 0.0; /* a short piece lies between the means */
+    for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
+}
+
 /* Whether what sticks shares forces otherwise than rows do. */
 static int has_shares(const context *c) { return c->s.head[S_SHARES] != 0.0; }
 

@@ -25,7 +25,7 @@ typedef struct shared_forces {
     double *ray;            /* of each unit: part of the force of its ray, 1 elsewhere                             */
     double *W, *A, *B;      /* units x units; rows x equations; that of the split                                  */
     double *limit;          /* of each part and unit: derivative of the limit of a joint                           */
-    double *p, *change, *weight, *coefficient, *g, *head;
+    double *p, *weight, *coefficient, *g, *head;
 } shared_forces;
 
 HM_SELDOM static shared_forces map_shared(const context *c)
@@ -33,7 +33,7 @@ HM_SELDOM static shared_forces map_shared(const context *c)
     const int64_t n = c->m->n_hit_rows;
     double *d = c->k.rest, *v = d + 5 * n * n;
     int32_t *i = (int32_t *)(void *)(v + 13 * n);
-    shared_forces x = {.W = d, .A = d + n * n, .B = d + 3 * n * n, .limit = d + 2 * n * n, .p = v, .change = v + n, .weight = v + 2 * n,
+    shared_forces x = {.W = d, .A = d + n * n, .B = d + 3 * n * n, .limit = d + 2 * n * n, .p = v, .weight = v + 2 * n,
                        .coefficient = v + 3 * n, .g = v + 4 * n, .head = v + 5 * n, .ray = v + 6 * n, .contact = i, .unit = i + n,
                        .first = i + 2 * n, .tangents = i + 3 * n, .order = i + 4 * n, .row = i + 5 * n};
     x.split = (rest_split){.first = x.first, .tangents = x.tangents, .coefficient = x.coefficient, .B = x.B, .g = x.g,
@@ -175,12 +175,10 @@ HM_SELDOM static void add_equation(const shared_forces *x, int32_t e, int32_t eq
     for (int32_t column = 0; column < s->rows; column++) x->A[equations * column + e] /= size2 > 0.0 ? sqrt(size2) : 1.0;
 }
 
-/* B and g = B p over its size, which it returns. */
-HM_SELDOM static double equations_of_split(shared_forces *x)
+HM_SELDOM static void equations_of_split(const shared_forces *x, rest_split *s)
 {
-    rest_split *s = &x->split;
     const int32_t n = s->rows, equations = x->units + x->joints;
-    double *line = s->way, size2 = 0.0;
+    double *line = s->way;
     for (int32_t e = 0; e < x->units; e++) add_equation(x, e, equations, -1);
     for (int32_t k = 0, e = x->units; k < s->contacts; k++)
         if (x->contact[k] < 0) add_equation(x, e++, equations, k);
@@ -188,8 +186,19 @@ HM_SELDOM static double equations_of_split(shared_forces *x)
     for (int32_t k = 0; k < s->rank; k++) {
         for (int32_t l = 0; l < n; l++) line[l] = l == k ? 1.0 : 0.0;
         hm_reflect(n, equations, s->rank, x->A, x->head, 1, line);
+        for (int32_t l = 0; l < n; l++) x->B[n * k + l] = line[l];
+    }
+}
+
+/* Forces p of multipliers mu, and g = B p over its size, which it returns. */
+HM_SELDOM static double forces_to_split(const context *c, const shared_forces *x, const double *mu)
+{
+    const rest_split *s = &x->split;
+    double size2 = 0.0;
+    take_forces(c, x, mu);
+    for (int32_t k = 0; k < s->rank; k++) {
         x->g[k] = 0.0;
-        for (int32_t l = 0; l < n; l++) x->g[k] += (x->B[n * k + l] = line[l]) * x->p[l];
+        for (int32_t l = 0; l < s->rows; l++) x->g[k] += s->B[s->rows * k + l] * x->p[l];
         size2 += x->g[k] * x->g[k];
     }
     const double size = sqrt(size2);
@@ -204,16 +213,17 @@ HM_SELDOM static void forget_shares(const context *c)
     memset(c->s.shift, 0, sizeof(double) * (size_t)c->m->n_rows);
 }
 
-/* Adds to mu what another split of these forces of parts changes, of bilateral rows, too; the forces are changed. */
-HM_SELDOM static int32_t add_other_split(const context *c, const shared_forces *x, double *change, double *mu)
+/* Adds to mu what the split at hand, of forces of this size, changes of p, and of bilateral rows, too. */
+HM_SELDOM static int32_t add_reshare(const context *c, const shared_forces *x, double size, double *mu)
 {
+    const rest_split *s = &x->split;
     int32_t status = HOLONOM_OK;
     memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t l = 0; l < x->split.rows; l++) change[l] /= sqrt(x->weight[l]);
-    for (int32_t k = 0; k < x->split.contacts; k++) {
-        const int32_t is_joint = x->contact[k] < 0, end = k + 1 < x->split.contacts ? x->unit[k + 1] : x->units;
+    for (int32_t k = 0; k < s->contacts; k++) {
+        const int32_t is_joint = x->contact[k] < 0, end = k + 1 < s->contacts ? x->unit[k + 1] : x->units;
         for (int32_t u = x->unit[k]; u < end && !status; u++) {
-            const double force = x->ray[u] * change[x->first[k] + (x->tangents[k] ? u - x->unit[k] + is_joint : 0)];
+            const int32_t at = x->first[k] + (x->tangents[k] ? u - x->unit[k] + is_joint : 0);
+            const double force = x->ray[u] * (size * s->force[at] - x->p[at]) / sqrt(x->weight[at]);
             mu[row_of(c, x->row[u])] -= force;
             status = add_row_gradient(c, x->row[u], -AT_STATE * force);
         }
@@ -224,29 +234,28 @@ HM_SELDOM static int32_t add_other_split(const context *c, const shared_forces *
     return HOLONOM_OK;
 }
 
-/* Lets parts share forces as `split` says, of that size, in event_mu, and in half steps to come: their rows go on to share
-   as the last mean of multipliers does. */
-HM_SELDOM static int32_t share_forces(context *c, shared_forces *x, double size)
+/* Whether there is a split, that of well inside the cones if there is one. */
+HM_SELDOM static int is_held_together(const context *c, const rest_split *s)
 {
-    const rest_split *s = &x->split;
-    for (int32_t l = 0; l < s->rows; l++) x->change[l] = size * s->force[l] - x->p[l];
-    int32_t status = add_other_split(c, x, x->change, c->k.event_mu);
-    if (status) return status;
-    take_forces(c, x, c->s.mean);
-    for (int32_t l = 0; l < s->rows; l++) x->change[l] = size * s->force[l] - x->p[l];
-    for (int32_t k = 0; k < s->rank; k++) { /* no change of what they hold together */
-        double along = 0.0;
-        for (int32_t l = 0; l < s->rows; l++) along += s->B[s->rows * k + l] * x->change[l];
-        for (int32_t l = 0; l < s->rows; l++) x->change[l] -= s->B[s->rows * k + l] * along;
-    }
-    memset(c->s.shift, 0, sizeof(double) * (size_t)c->m->n_rows);
-    status = add_other_split(c, x, x->change, c->s.shift);
-    c->s.head[S_SHARES] = status ? 0.0 : 1.0;
-    return status;
+    return has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN));
+}
+
+/* Lets half steps to come share forces as a split of those that the means of multipliers tell, if it is there. */
+HM_SELDOM static int32_t share_forces(context *c, const shared_forces *x)
+{
+    const int32_t n = c->m->n_rows;
+    forget_shares(c);
+    extrapolate(c, c->t, n, c->s.mean, c->s.mean_before, c->k.rest_mean);
+    const double size = forces_to_split(c, x, c->k.rest_mean);
+    if (!(size > 0.0) || !is_held_together(c, &x->split)) return HOLONOM_OK;
+    c->s.head[S_SHARES] = 1.0;
+    return add_reshare(c, x, size, c->s.shift);
 }
 
 #define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
 #define LOAD_ACCURACY 1e-12
+#define FAR_BELOW 0.99     /* load factors below, which no event is near to, need no more than FEW_DIGITS             */
+#define FEW_DIGITS 1e-2
 
 /* Least factor of all coefficients with which there is a split, or infinity. */
 static double load_factor(const rest_split *s)
@@ -255,7 +264,7 @@ static double load_factor(const rest_split *s)
     for (; !has_split(s, high); high *= 2.0)
         if (high > LARGEST_LOAD) return INFINITY;
         else low = high;
-    while (high - low > LOAD_ACCURACY * high) {
+    while (high - low > (high < FAR_BELOW ? FEW_DIGITS : LOAD_ACCURACY) * high) {
         const double middle = 0.5 * (low + high);
         if (has_split(s, middle)) high = middle;
         else low = middle;
@@ -309,26 +318,25 @@ HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togethe
     for (int time = 0;; time++) {
         int32_t status = fill_shared(c, x);
         if (status) return status;
-        take_forces(c, x, c->k.event_mu);
-        size = equations_of_split(x);
+        equations_of_split(x, s);
+        size = forces_to_split(c, x, c->k.event_mu);
         if (s->rank == s->rows || !(size > 0.0)) return HOLONOM_OK;
         before = least;
         if (load) least = load_factor(s);
-        inside = load ? least <= 1.0 + CONE_MARGIN : has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN));
+        inside = load ? least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
         if (inside || !x->joints || time == MOST_DIRECTIONS) break;
         if (!load) least = load_factor(s);
         if (!(least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, least)) break;
-        for (int32_t l = 0; l < s->rows; l++) x->change[l] = size * s->force[l] - x->p[l];
         memcpy(c->k.rest_mu, c->k.event_mu, rows);
-        if ((status = add_other_split(c, x, x->change, c->k.rest_mu))) return status;
+        if ((status = add_reshare(c, x, size, c->k.rest_mu))) return status;
     }
     if (load) *load = least;
     *how = inside ? HOLD : load && !(least < INFINITY) ? NOT_TOGETHER : GIVE_WAY;
-    if (!inside) {
-        has_split(s, c->gives_way ? 1.0 - WELL_INSIDE : 1.0 + CONE_MARGIN); /* for its dual */
-        return HOLONOM_OK;
+    if (is_held_together(c, s) && inside) {
+        const int32_t status = add_reshare(c, x, size, c->k.event_mu);
+        return status ? status : share_forces(c, x);
     }
-    return has_split(s, 1.0 - WELL_INSIDE) || has_split(s, 1.0 + CONE_MARGIN) ? share_forces(c, x, size) : HOLONOM_OK;
+    return HOLONOM_OK; /* the dual that is left tells what slips */
 }
 
 /* Finds out, of closed contacts and joints that rub, with the multipliers in event_mu. `load`, if wanted, is the least factor of all

@@ -90,6 +90,7 @@ WORK = {
     "hit_scratch": "IMPACT_SCRATCH(n_hit_rows)",
     "rest": "SPLIT_SCRATCH(n_hit_rows) * unilateral",  # see contact_split.h
     "rest_mu": "n_rows * unilateral",  # tells directions of forces that press joints there
+    "rest_mean": "n_rows * unilateral",  # multipliers of half steps there
     "rest_modes": "n_state * unilateral",  # before contacts are opened there
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }
