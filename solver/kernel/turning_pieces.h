@@ -181,7 +181,8 @@ HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, con
     const double size = size_of_rates(s, q);
     switch (which % MARGINS) {
     case MARGIN_PUSHES: {
-        const double turned = s->pace < 0.0 ? 2.0 * PAST_TURN : -1e-14; /* past the turn of the walls all that they alone push would pull */
+        /* Where walls turn back, what they alone push stops to push and would pull. */
+        const double turned = s->by_path && s->pace < PAST_TURN ? 3.0 * PAST_TURN : -1e-14;
         return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) + turned;
     }
     case MARGIN_CONE:
