@@ -309,9 +309,7 @@ def test_slips_and_frictions_count_to_the_right_of_the_normal(speed):
         held = {"held": {"type": "fixed", "bodies": ["ground", "base"]}}
         content = mechanism("slip", 2, bodies=bodies, joints=held, contacts={"c": contact})
         integrator = run(content, 0.02)
-        found[name] = [
-            float(integrator[f"c.{word}"]) for word in ("slip", "friction", "force")
-        ]
+        found[name] = [float(integrator[f"c.{word}"]) for word in ("slip", "friction", "force")]
     s = math.copysign(1.0, speed)
     exact = [s * (1.0 - 0.2 * GRAVITY * 2.0 * 0.02), -s * 0.2 * GRAVITY, GRAVITY]
     assert found["floor"] == pytest.approx(exact, rel=1e-12)
