@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
@@ -112,3 +113,47 @@ def rod_that_bounces() -> tuple[float, float]:
         return y + after_v[1] * t - 0.5 * GRAVITY * t * t + 0.5 * np.sin(angle)
 
     return fall + next_root(height), float(-p @ (G @ v + after) / 2.0)
+
+
+def loss_of_a_pendulum_that_rubs(t: float, rebound: float) -> float:
+    """Energy [J] that the pendulum of `scenes/pendulum_with_stop.toml` loses until a time.
+
+    1 kg, 0.5 m from a bearing of mu r = 0.002 m whose force is m (a - g); it leaves its stop with
+    `rebound` times its speed.
+    """
+    inertia, half, rub = 0.5, 0.5, 0.1 * 0.02
+
+    def rate(_: float, state: Sequence[float]) -> list[float]:
+        angle, w = state
+        along = half * w * w + GRAVITY * np.cos(angle)
+        a = -GRAVITY * half / inertia * np.sin(angle)
+        for _ in range(20):  # the force has a share of a in it, which rub makes small
+            force = np.hypot(along, half * a + GRAVITY * np.sin(angle))
+            a = (-GRAVITY * half * np.sin(angle) - np.sign(w) * rub * force) / inertia
+        return [w, a]
+
+    def energy(angle: float, w: float) -> float:
+        return 0.5 * inertia * w * w - GRAVITY * half * np.cos(angle)
+
+    now, angle, w = 0.0, 1.0, -1e-300
+    while now < t:
+
+        def stop(_: float, state: Sequence[float]) -> float:
+            return state[0] + 0.3
+
+        def turn(_: float, state: Sequence[float]) -> float:
+            return state[1]
+
+        stop.terminal = turn.terminal = True  # pyright: ignore[reportFunctionMemberAccess]
+        stop.direction = -1  # pyright: ignore[reportFunctionMemberAccess]
+        turn.direction = 1 if w < 0.0 else -1  # pyright: ignore[reportFunctionMemberAccess]
+        run = solve_ivp(
+            rate, (now, t), [angle, w], method="DOP853", rtol=1e-11, atol=1e-12,
+            events=[stop, turn], max_step=0.05,
+        )  # fmt: skip
+        now, angle, w = run.t[-1], *run.y[:, -1]
+        if len(run.t_events[0]):
+            angle, w = -0.3 + 1e-15, -rebound * w
+        elif run.status == 1:
+            w = -1e-12 * np.sign(angle)
+    return energy(1.0, 0.0) - energy(angle, w)

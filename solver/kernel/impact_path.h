@@ -247,7 +247,8 @@ static inline int may_end(const impact_path *s, int32_t i) { return s->live[i] |
 static inline void end_contact(impact_path *s, int32_t i)
 {
     s->live[i] = 0;
-    s->deep[i] = fmax(0.0, -s->gamma[s->x->first[i]]);
+    s->deep[i] = -s->gamma[s->x->first[i]];
+    if (!(s->deep[i] > none_of_row(s, s->x->first[i]))) s->deep[i] = 0.0;
     s->waits[i] = s->deep[i] > 0.0;
 }
 

@@ -46,19 +46,24 @@ HM_SELDOM static int stop_at_once(impact_path *s)
 }
 
 /* The last bit of the way of the walls at once, where slips come to rest together with them, which no piece resolves. */
-HM_SELDOM static int go_at_once(impact_path *s)
+HM_SELDOM static void go_at_once(impact_path *s)
 {
     hm_impact *x = s->x;
     rates_anew(s);
     for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] += s->deep[i];
     const int failed = impulses_at_once(s, s->q, s->turn);
     for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] -= s->deep[i];
-    if (failed) return -1;
+    s->tau = 0.0;
+    for (int32_t i = 0; i < x->contacts && failed; i++) { /* the path leaves out these rests, none larger than LAST_BIT of the rates */
+        const int32_t k = x->first[i];
+        if (fabs(s->gamma[k] + s->deep[i]) <= LAST_BIT * s->size[k]) s->gamma[k] = -s->deep[i];
+        for (int32_t t = k + 1; t <= k + x->tangents[i]; t++)
+            if (fabs(s->gamma[t]) <= LAST_BIT * s->size[t]) s->gamma[t] = 0.0;
+    }
+    if (failed) return;
     for (int32_t k = 0; k < x->rows; k++) s->turn[k] -= s->gamma[k];
     for (int32_t i = 0; i < x->contacts; i++) s->turn[x->first[i]] -= s->deep[i], s->wall[i] = 0.0;
     go_straight(s, 1.0);
-    s->tau = 0.0;
-    return 0;
 }
 
 /* Starts the sweep; returns whether a contact approaches. */
@@ -107,8 +112,8 @@ HM_SELDOM static int sweep_on(impact_path *s)
     }
     if (!goes_on) return 1;
     const int found = find_rates(s);
-    if (found == GOES_AT_ONCE) return go_at_once(s);
-    if (found) return found == HAVE_ENDED ? 0 : -1;
+    if (found == GOES_AT_ONCE) go_at_once(s);
+    if (found) return found == NOTHING_HELPS ? -1 : 0;
     x->pieces++;
     for (int32_t i = 0; i < x->contacts; i++) s->wall[i] = wall_rate(s, i, is_active(s, i));
     rates_of_impulses(x, s->q, s->turn);

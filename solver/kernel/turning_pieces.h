@@ -181,7 +181,8 @@ HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, con
     const double size = size_of_rates(s, q);
     switch (which % MARGINS) {
     case MARGIN_PUSHES: {
-        const double turned = s->pace < 0.0 ? 2.0 * PAST_TURN : -1e-14; /* past the turn of the walls all that they alone push would pull */
+        /* Where walls turn back, what they alone push stops to push and would pull. */
+        const double turned = s->by_path && s->pace < PAST_TURN ? 3.0 * PAST_TURN : -1e-14;
         return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) + turned;
     }
     case MARGIN_CONE:
@@ -245,7 +246,7 @@ static inline int slip_stops(const impact_path *s)
     return 0;
 }
 
-enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60 };
+enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60, MOST_REFUSED = 20 };
 
 /* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it.
    Returns the error of the step over what is allowed.                                                            */
@@ -286,6 +287,7 @@ HM_SELDOM static int go_round(impact_path *s)
     hm_impact *x = s->x;
     const int32_t n = x->rows + x->contacts + 2;
     double *end = s->stage + 12 * (int64_t)n, *gamma = end + n, h = 0.1, done = 0.0;
+    int refused = 0;
     fix_statuses(s);
     for (int step = 0; step < MOST_TURNING_STEPS; step++) {
         s->by_path = 0;
@@ -306,9 +308,12 @@ HM_SELDOM static int go_round(impact_path *s)
             continue;
         }
         const int32_t lost = margin_lost(s, end, gamma);
-        if (lost > -2 && (!(end_of_piece(s, lost, h / unit, end, gamma) <= 1.0) || slip_lost(s, gamma))) {
-            h *= 0.25; /* what was lost may be an artefact of a stage behind the event */
-            continue;
+        if (lost > -2) {
+            const double inaccuracy = end_of_piece(s, lost, h / unit, end, gamma);
+            if ((!(inaccuracy <= 1.0) || slip_lost(s, gamma)) && refused++ < MOST_REFUSED) {
+                h *= 0.25; /* what was lost may be an artefact of a stage behind the event */
+                continue;
+            }
         }
         const double way = end[n - 1], pace = rates_in_piece(s, gamma, s->start);
         memcpy(s->q, end, sizeof(double) * (size_t)x->rows);

@@ -282,3 +282,38 @@ def test_an_ellipse_that_rolls_on_a_line_rocks_with_its_exact_period():
     ran = run(content, float(quarter), h=0.005, order=4)
     assert ran["a.angle"] == pytest.approx(0.0, abs=2e-6)
     assert abs(float(ran["a.angular_velocity"])) == pytest.approx(rate(0.0), rel=1e-7)
+
+
+@pytest.mark.parametrize("speed", [1.0, -1.0])
+def test_slips_and_frictions_count_to_the_right_of_the_normal(speed):
+    """A ball of 1 kg, 0.01 kg m2 and 0.1 m that slides on a floor, and on a round ellipse.
+
+    s' = -(mu N/m)(1 + m r^2/I): it slides in front of a friction mu N that holds it back.
+    """
+    floor = {"type": "plane", "point": "ball", "radius": 0.1, "axis": [0, 1], "friction": 0.2}
+    round_one = {"type": "ellipsoid", "body": "ball", "semi_axes": [0.1, 0.1], "axis": [0, 1]}
+    below = {"type": "ellipsoid", "body": "base", "semi_axes": [1.0, 1.0], "point": "ball"}
+    balls = {"type": "sphere", "points": ["base", "ball"], "radii": [1.0, 0.1], "friction": 0.2}
+    found = {}
+    for name, contact, height in (
+        ("floor", floor, 0.1),
+        ("round", round_one | {"friction": 0.2}, 0.1),
+        ("below", below | {"radius": 0.1, "friction": 0.2}, 1.1),
+        ("balls", balls, 1.1),
+    ):
+        body = {"mass": 1.0, "inertia": 0.01}
+        bodies = {
+            "ball": body | {"position": [0, height], "velocity": [speed, 0]},
+            "base": body | {"position": [0, 0]},
+        }
+        held = {"held": {"type": "fixed", "bodies": ["ground", "base"]}}
+        content = mechanism("slip", 2, bodies=bodies, joints=held, contacts={"c": contact})
+        integrator = run(content, 0.02)
+        found[name] = [float(integrator[f"c.{word}"]) for word in ("slip", "friction", "force")]
+    s = math.copysign(1.0, speed)
+    exact = [s * (1.0 - 0.2 * GRAVITY * 2.0 * 0.02), -s * 0.2 * GRAVITY, GRAVITY]
+    assert found["floor"] == pytest.approx(exact, rel=1e-12)
+    assert found["round"] == pytest.approx(exact, rel=1e-12)
+    slip, friction, force = found["below"]  # right of the normal is clockwise about the lower one
+    assert (s * slip > 0.9, friction) == (True, pytest.approx(-s * 0.2 * force, rel=1e-12))
+    assert found["balls"] == pytest.approx([-slip, -friction, force], rel=1e-6)  # of a step
