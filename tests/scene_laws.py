@@ -155,7 +155,11 @@ class Around:
         on = np.flatnonzero(x.rows_on())
         left = np.linalg.lstsq(self.A[:, on].T, state.rates[on], rcond=DEPENDENT)[0]
         self.noise = 4.0 * NARROW * float(force) + float(np.linalg.norm(left))
-        """Of the jump: what forces do between the states, and what steps leave across rows."""
+        later = np.linalg.solve(root, rows_of(self.after)[0][:, :n].T)
+        turn = np.linalg.norm((later - self.A)[:, self.normal])
+        self.noise += self.speed * float(turn / max(1e-300, np.linalg.norm(self.A[:, self.normal])))
+        """Of the jump: what forces do between the states, what steps leave across rows, and how
+        far normals turn."""
         surfaces = np.abs(psi - G @ x.v)[[r for rows in self.slips for r in rows]]
         self.driven = bool(len(x.vectors["signal"])) or bool(np.any(surfaces > 0.0))
         self.loss = self.after.head["impact"] - x.head["impact"]

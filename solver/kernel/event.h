@@ -404,7 +404,7 @@ static double length_before_stop(const context *c, double length)
 {
     const event_values low = values_at(c, AT_LOW);
     for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++)
-        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0)
+        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0 && low.value[k] >= 0.0)
             length = fmin(length, BEFORE_STOP * low.value[k] / -low.rate[k]);
     return length;
 }

@@ -32,7 +32,7 @@ CLOSED, OPEN, ROUNDING = 1e-8, 1e-7, 1e-10
 """Errors of the ledger over its energies, of gaps over the size, of losses that fall."""
 FAR = 1e-13
 """Error of the ledger by the round-off of places, per m of coordinates."""
-NOTHING = 1e-18
+NOTHING = 1e-15
 """Energies [J] and impulses [N s] that are nothing."""
 RESTITUTIONS = (0.0, 0.0, 1.0, 1.0, 0.5, 1e-12, 1.0 - 1e-12)
 FRICTIONS = (0.0, 1e-300, 1e-12, 1e-9, 0.3, 1.0, 100.0, 1e6)

@@ -40,8 +40,9 @@ STEPPED, STEPPED_STEPS = 5e-4, 60
 
 TWICE, FALLING = 10, 30
 """Scenes that run twice among the first 100, and scenes whose step falls."""
-KNOWN = {86}
-"""Scenes whose faults are known: in stepped mode friction of a contact without normal force."""
+KNOWN = {428, 717, 832}
+"""Scenes whose faults are known: a stepped start that is not solved, and two tips on guides that
+are said to slide, though nothing moves."""
 STILL = 1e-24
 """Kinetic energy, of the largest one, of what is parked."""
 
