@@ -159,7 +159,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (moved || move_inputs(&c)) settle_sides(&c, start, 1); /* slopes tell where inputs go */
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = head[S_SWITCHED] = 0.0;
-    head[S_JAMS] = head[S_NEWTON_IMPACTS] = 0.0;
+    head[S_JAMS] = head[S_NEWTON_IMPACTS] = head[S_UNPAID_IMPACTS] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));

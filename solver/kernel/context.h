@@ -51,6 +51,7 @@ typedef struct context {
     double secants_h;
     const holonom_elimination *secants_lu;
     int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
+    double unsettled;   /* size of the step's last increment over its length [kg^1/2 m/s]; infinite before the first one */
     int lagged;         /* whether cones take the normal forces `lag`                                        */
     int32_t n_pairs;    /* pairs of half steps of the cover or composition at hand whose means are kept       */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */

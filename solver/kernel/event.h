@@ -50,30 +50,34 @@ static double slip_along(const context *c, int32_t f)
     return sum;
 }
 
-/* Where contacts hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1 less the
-   least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
+/* Where contacts and joints hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1
+   less the least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
 #define SURELY 1e-3 /* of the largest normal force: a function that does not become 0                                 */
 
 HM_SELDOM static void value_together(context *c, event_values x, double load)
 {
+    const int32_t n = c->m->n_contacts;
     const double largest = SURELY * largest_normal(c, c->k.event_mu);
     c->together = 1;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
-        const int32_t f = c->m->contact_friction[i], k = c->m->n_contacts + f;
-        if (!is_closed(c, i) || (f >= 0 && friction_mode(c, f) == FRICTION_SLIDES)) continue;
-        x.value[i] = fmax(x.value[i], largest);
-        if (is_stuck(c, f)) x.value[k] = (1.0 + CONE_MARGIN - load) * fmax(cone(c, f, 0, normal_force(c, f, c->k.event_mu)), largest);
+    for (int32_t i = 0; i < n; i++)
+        if (is_closed(c, i)) x.value[i] = fmax(x.value[i], largest);
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (!is_stuck(c, f)) continue;
+        const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
+        x.value[n + f] = (1.0 + CONE_MARGIN - load) * (is_of_contact(c, f) ? fmax(limit, largest) : limit);
     }
 }
 
-/* Whether the forces that contacts share have left their cones, by more than rounding. */
+/* Whether the forces that are shared have left their cones, by more than rounding. */
 HM_SELDOM static int is_outside(const context *c)
 {
     const double none = CONE_MARGIN * largest_normal(c, c->k.event_mu);
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_closed(c, i) && normal_of(c, i) < -none) return 1;
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
-        if (friction_mode(c, f) == FRICTION_STICKS && excess_of(c, f) > none) return 1;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (!is_stuck(c, f)) continue;
+        if (excess_of(c, f) > (is_of_contact(c, f) ? none : CONE_MARGIN * cone(c, f, 0, normal_force(c, f, c->k.event_mu)))) return 1;
+    }
     return 0;
 }
 
@@ -94,7 +98,7 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
         if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, c->k.event_mu, NULL);
         if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
     }
-    if (status || !has_closed(c)) return status;
+    if (status || !has_forces(c)) return status;
     double load = INFINITY;
     enum togetherness how = NOT_TOGETHER;
     if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
@@ -165,7 +169,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
         c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
     const int rests = has_shares(c);
     if (rests) add_shares(c, c->k.event_mu);
-    c->outside = has_closed(c) && is_outside(c);
+    c->outside = has_forces(c) && is_outside(c);
     if (c->outside || (rests && !forces_stand_still(c))) return 0;
     for (int32_t i = 0; i < m->n_contacts; i++) {
         x.rate[i] = NAN;
@@ -314,6 +318,29 @@ static int has_ended(const context *c, int32_t k)
     return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k);
 }
 
+#define FAR_MORE 100.0
+
+/* Lets friction f stick, whose slip has ended, and takes what is left of it: slips have the rates that a step leaves of its rows. At a
+   dead centre, where the mechanism hardly slips however fast it moves, that would take much of its energy, far more than
+   frictions do at their cones in the time that the slip has left. It slides on then.                              */
+HM_SELDOM static int32_t stop_slip(context *c, int32_t f)
+{
+    const event_values at = values_at(c, AT_TRIAL);
+    const double slip = slip_of(c, f, NULL), growth = at.rate[c->m->n_contacts + f];
+    double force = 0.0, taken = 0.0;
+    for (int32_t g = 0, k = c->m->n_contacts; g < c->m->n_frictions; g++, k++) {
+        const double normal = normal_force(c, g, c->k.event_mu);
+        if (at.rate[k] < 0.0 && has_ended(c, k)) force += cone(c, g, 0, normal) + cone(c, g, 1, normal);
+    }
+    let_stick(c, f);
+    const int32_t status = find_disallowed(c);
+    if (status) return status;
+    for (int32_t i = 0; i < c->m->n_rows; i++) taken += 0.5 * c->k.mu[i] * c->k.phi[i];
+    if (slip > speed_tolerance(c) && taken * -growth > FAR_MORE * 0.5 * force * slip * slip) friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
+    else take_disallowed(c, S_FRICTION);
+    return HOLONOM_OK;
+}
+
 /* Changes the modes that have ended: contacts without force open, frictions at their cones slide, those without slip stick. */
 HM_SELDOM static int32_t change_modes(context *c)
 {
@@ -329,12 +356,11 @@ HM_SELDOM static int32_t change_modes(context *c)
         double along[3];
         if (mode == FRICTION_OFF || !has_ended(c, k)) continue;
         if (mode == FRICTION_SLIDES) {
-            let_stick(c, f);
-            const int32_t status = project_velocities(c, S_FRICTION);
+            const int32_t status = stop_slip(c, f);
             if (status) return status;
             continue;
         }
-        if (c->together && is_of_contact(c, f)) { /* new modes tell who slides */
+        if (c->together) { /* new modes tell who slides */
             c->gives_way = 1;
             continue;
         }

@@ -36,7 +36,7 @@ END = 0.65
 
 
 def way(most, held):
-    """Return how far ``most`` sin^2(pi t) moves 1 kg until END, against ``held`` from when it does."""
+    """Return how far ``most`` sin^2(pi t) N moves 1 kg until END, from when it beats ``held``."""
     begin = math.asin(math.sqrt(held / most)) / math.pi
     rest, turn = most / 2 - held, 2 * math.pi
 
