@@ -136,7 +136,7 @@ _NOT_A_WORD = {
     ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
         'write a contact in [contacts]: type = "plane", "corners", "sphere", "clearance", '
         '"journal", "stop", "profile", "cam", "surface", "height_field", "superquadric", '
-        '"capsule", "polygon", "box", "cylinder" or "ellipsoid"'
+        '"mesh", "convex", "capsule", "polygon", "box", "cylinder" or "ellipsoid"'
     ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""
