@@ -1,7 +1,7 @@
 """Writes the meshes of scenes: `python -m scenes.meshes`, or with a folder for them behind it.
 
-The bowl is a round block with a spherical hollow, the die an icosahedron, the caltrop a tetrahedron.
-Lengths are in m.
+The bowl is a round block with a spherical hollow, the die an icosahedron, the caltrop a
+tetrahedron. Lengths are in m.
 """
 
 from __future__ import annotations

@@ -68,6 +68,8 @@ from solver.scene.expression import sqrt
 FLAT = 1e-10
 """Sine of the tilt that rounds off where a rim lies on a plane as a whole and has no lowest place;
 a cylinder is drawn with more than 1e4 of it."""
+FLUSH = 1e-8
+"""Of the size of the mechanism: how far a sharp corner beside a face is in line with it."""
 MOST_GAPS = 2000
 """Of two bodies with convex parts."""
 
@@ -220,6 +222,13 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
             for x, shape in zip(both, (first, second), strict=True)
         ]
         axes += [cross(a, b) for a, b in product(*edges)]
+    if (
+        first.planes
+        and second.planes
+        and not is_there(first.radius)
+        and not is_there(second.radius)
+    ):
+        _note_flush(rows, first, second, both)
     overlap = mechanism.extent
     for axis in axes:
         if number(norm(axis)) > 1e-6:
@@ -228,6 +237,33 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
     if overlap > mechanism.drawn_into("m"):
         text = f"it is drawn in penetration: the bodies overlap by {overlap:.6g} m"
         rows.problem(f"{text}; draw them apart")
+
+
+def _note_flush(
+    rows: Rows, first: Shape, second: Shape, places: list[list[tuple[float, ...]]]
+) -> None:  # fmt: skip
+    """Note sharp corners in line with faces: on an edge nothing decides which face they touch."""
+    near, number = FLUSH * rows.mechanism.extent, rows.mechanism.default
+    for of, other, corners, others in (
+        (first, second, places[0], places[1]), (second, first, places[1], places[0]),
+    ):  # fmt: skip
+        normals = [_drawn_normal(rows, other, normal) for normal, _ in other.planes]
+        tops = [max(number(dot(normal, x)) for x in others) for normal in normals]
+        heights = [
+            [number(dot(n, x)) - top for n, top in zip(normals, tops, strict=True)] for x in corners
+        ]
+        beside = [min(column) < -near for column in zip(*heights, strict=True)]  # not on the face
+        in_line = [
+            sorted(row)[-2] <= near
+            and any(abs(x) <= near and is_so for x, is_so in zip(row, beside, strict=True))
+            for row in heights
+        ]
+        if any(in_line):
+            text = f"{{value:g}} corners{of.title} are drawn in line with faces{other.title}: on "
+            text += "an edge nothing decides which face a sharp corner touches, and it may pass; "
+            text += "make one body smaller, or boxes round with radii = [...]"
+            rows.rule(float(sum(in_line)), "noted", text)
+            return
 
 
 def _drawn_normal(rows: Rows, shape: Shape, normal: Vector) -> Vector:

@@ -59,7 +59,8 @@ _WORDS = {
         plane: floor ground wall line halfspace half_space
         corners: vertices feet
         capsule: segment stick pill rods
-        polygon: convex hull polygons
+        polygon: hull polygons
+        convex: polyhedron polyhedra convex_hull convex_mesh
         box: block cube cuboid rectangle boxes
         cylinder: coin drum rim barrel
         sphere: ball balls disc discs circle

@@ -13,7 +13,7 @@ from solver.mechanics.convex_parts import convex_pieces, free_direction
 from solver.scene import SceneError
 from solver.scene.files import DataFile
 from tests.meshes import data_file
-from tests.problems import assemble, mechanism
+from tests.problems import GRAVITY, assemble, mechanism, start
 
 SCENES = Path(__file__).parents[2] / "scenes"
 DIE = DataFile("die.stl", "stl", (SCENES / "die.stl").read_bytes())
@@ -76,3 +76,16 @@ def test_what_is_drawn_into_each_other_is_refused():
     content["bodies"]["stone"]["position"] = [0, 0, 4.0]
     with pytest.raises(SceneError, match="drawn in penetration: the bodies overlap by"):
         assemble(content)
+
+
+def test_sharp_boxes_of_equal_width_in_line_are_noted_and_round_ones_rest_on_each_other():
+    upper = {"mass": 1.0, "inertia": [0.01] * 3, "position": [0, 0, 0.21]}
+    box = {"type": "box", "bodies": ["upper", "ground"], "sizes": [[0.2] * 3] * 2}
+    content = mechanism("stack", 3, bodies={"upper": upper}, contacts={"c": box})
+    with pytest.warns(RuntimeWarning, match="8 corners of 'upper' are drawn in line with faces of"):
+        start(content).advance(0.0, 0.01)
+    content["contacts"]["c"]["radii"] = [0.01, 0.01]
+    ran = start(content)
+    ran.advance(0.0, 0.2)
+    assert ran["upper.z"] == pytest.approx(0.2, abs=1e-12)
+    assert ran["c.force"] == pytest.approx(GRAVITY, rel=1e-9)
