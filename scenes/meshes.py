@@ -1,6 +1,7 @@
 """Writes the meshes of scenes: `python -m scenes.meshes`, or with a folder for them behind it.
 
-The bowl is a round block with a spherical hollow, the die an icosahedron. Lengths are in m.
+The bowl is a round block with a spherical hollow, the die an icosahedron, the caltrop a
+tetrahedron. Lengths are in m.
 """
 
 from __future__ import annotations
@@ -53,6 +54,13 @@ def die() -> Mesh:
     return corners, found
 
 
+def caltrop() -> Mesh:
+    """Corners and triangles of a tetrahedron with edges of 0.1 m."""
+    a = 0.1 / math.sqrt(8.0)
+    corners = [(a, a, a), (a, -a, -a), (-a, a, -a), (-a, -a, a)]
+    return corners, [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
+
+
 def _turns_left(a: Corner, b: Corner, c: Corner) -> bool:
     """Whether three corners turn left as seen from outside of a body about the origin."""
     x, y, z = a
@@ -79,7 +87,11 @@ def as_stl(mesh: Mesh) -> str:
     return "\n".join([*lines, "endsolid mesh"]) + "\n"
 
 
-FILES = {"bowl.obj": lambda: as_obj(bowl()), "die.stl": lambda: as_stl(die())}
+FILES = {
+    "bowl.obj": lambda: as_obj(bowl()),
+    "die.stl": lambda: as_stl(die()),
+    "caltrop.stl": lambda: as_stl(caltrop()),
+}
 
 
 def main() -> None:

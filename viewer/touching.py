@@ -14,6 +14,7 @@ from solver.scene import (
     CamContact,
     CapsuleContact,
     ClearanceContact,
+    ConvexContact,
     CornersContact,
     CylinderContact,
     EllipsoidContact,
@@ -382,6 +383,14 @@ class Touching:
         elif part.part:
             self._corners(name, part.part, part.corners, part.ball_radius)
 
+    def _of_pieces(self, name: str, part: ConvexContact) -> None:
+        """Add the mesh of each body, or the box of the second one."""
+        for body, mesh in zip(part.bodies, (part.file, part.other_file), strict=True):
+            if mesh is not None:
+                self._mesh(name, body, self._place(body, None), *self._file(mesh, part.scale))
+            elif part.size is not None:
+                self._box(name, body, part.size)
+
     def _of_both(self, name: str, part: CapsuleContact | PolygonContact | BoxContact) -> None:
         """Add the shapes of two bodies."""
         for k, body in enumerate(part.bodies):
@@ -403,7 +412,8 @@ SOLIDS: dict[type, Callable[[Touching, str, Any], None]] = {
     CamContact: Touching._cam, SurfaceContact: Touching._surface,
     PointOnSurface: Touching._surface, PointOnPlane: Touching._point_on_plane,
     SuperquadricContact: Touching._superquadric, HeightFieldContact: Touching._height_field,
-    MeshContact: Touching._of_mesh, CapsuleContact: Touching._of_both,
-    PolygonContact: Touching._of_both, BoxContact: Touching._of_both,
+    MeshContact: Touching._of_mesh, ConvexContact: Touching._of_pieces,
+    CapsuleContact: Touching._of_both, PolygonContact: Touching._of_both,
+    BoxContact: Touching._of_both,
 }  # fmt: skip
 """What is seen of a contact, or of a joint with a surface."""

@@ -1,20 +1,12 @@
-"""Contacts of bodies with shapes: capsules, polygons, boxes, and cylinders on planes.
+"""Contacts of bodies with shapes: capsules, polygons, boxes, polyhedra, and cylinders on planes.
 
-A shape is the hull of some corners with all that lies within a radius of it. A corner c of one is
-as far from the other as its signed distance D to the hull of that, less both radii R,
-
-segment   D = |x|,  x = c - p - s u,  s = max(0, min(1, (c - p) . u/u^2))
-polygon   m = max d_k, the largest distance to the line of an edge;  D = m + min |x_k| - |m|
-box       m = max q_k, q_k = |c_k| - a_k/2;  D = sqrt(sum max(q_k, 0)^2) + min(m, 0)
-
-and for R = 0, where D has kinks, m, which is 0 on the same surface. In the plane, corners both ways
-see all; in space capsules also cross each other and edges of boxes, at s and t of p + s u, o + t v,
-
-crossing  g = sqrt(|p + s u - o - t v|^2 + more) - R
+A corner of one shape is as far from the other as its distance D to the hull of that
+(``solver.mechanics.hulls``), less both radii. In the plane, corners both ways see all; in space
+segments and edges also cross each other (``solver.mechanics.crossings``).
 
 Two corners that touch each other would be two equal gaps: of the shape named first the distance
-grows faster beyond its faces or ends, by `more`, so that one gap is open, and has no jump of slope
-where they change over. A cylinder touches a plane with the lowest places of its rims,
+grows faster beyond its faces or ends, so that one gap is open, and has no jump of slope where they
+change over. A cylinder touches a plane with the lowest places of its rims,
 
 cylinder  g = (c - p) . n - R |n x a|,        s = d/dt (c - p) . t - R (w x e) . t
 
@@ -23,15 +15,27 @@ with the centre c of a rim, the axis a, and e the direction of steepest ascent i
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import pairwise, product
-from typing import NamedTuple
 
-from solver.mechanics.combination import Combination
-from solver.mechanics.contacts import SKEW, add_contact, box_corners
+from solver.mechanics.contacts import add_contact, box_corners
+from solver.mechanics.convex_parts import NotConvexError, Piece, convex_pieces, free_direction
+from solver.mechanics.crossings import Stick, add_crossings
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Ground, RigidFrame
+from solver.mechanics.hulls import (
+    BOX_EDGES,
+    UP_OF_A_BOX,
+    Shape,
+    box,
+    box_planes,
+    larger,
+    place,
+    polygon,
+    polyhedron,
+    segment,
+    within,
+)
 from solver.mechanics.mechanism import Formula
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import Rows
@@ -39,7 +43,6 @@ from solver.mechanics.slips import dot_of_pairs, is_there, plane_tangents
 from solver.mechanics.surfaces import slip_rates
 from solver.mechanics.vectors import (
     Vector,
-    add,
     cross,
     dot,
     norm,
@@ -53,137 +56,22 @@ from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     BoxContact,
     CapsuleContact,
+    ConvexContact,
     CylinderContact,
     Number,
     PairContact,
     PolygonContact,
+    RoundedContact,
 )
-from solver.scene.expression import operate, sqrt
+from solver.scene.expression import sqrt
 
-PARALLEL = 1e-12
-"""Square of the sine below which capsules do not cross: their ends touch, at 1e-13 of the size."""
-EDGES = [(i, i + k) for k in (4, 2, 1) for i in range(8) if not i & k]
-"""Corners of a box in space, by their numbers, at the ends of its edges."""
-MARGIN = 1e-4
-"""Share of its length before an end of a face from which its distance grows faster: a corner that
-is there is seen by the other shape, whose own is 1e-9 farther off at most."""
 FLAT = 1e-10
 """Sine of the tilt that rounds off where a rim lies on a plane as a whole and has no lowest place;
 a cylinder is drawn with more than 1e4 of it."""
-Distance = Callable[[Vector, bool], Number]
-"""Of a place in body axes to a hull; of places beyond its faces or ends larger, if asked for."""
-
-
-class Shape(NamedTuple):
-    """Hull of corners of a body, in its axes, with all within a radius."""
-
-    frame: Ground | RigidFrame
-    title: str
-    corners: tuple[Vector, ...]
-    radius: Number
-    distance: Distance
-
-    @property
-    def up(self) -> Vector:
-        """Normal whose tangents the others turn from; of a box no face points against it."""
-        return SKEW if len(self.corners) == 8 else ()
-
-    def place(self, corner: Vector) -> Combination:
-        """Return where a corner is."""
-        frame = self.frame
-        return frame.place(corner) if isinstance(frame, Ground) else frame.at(corner)
-
-    @property
-    def ball(self) -> Ground | RigidFrame | None:
-        """What turns about the corners; None where the radius is no arm."""
-        return self.frame if is_there(self.radius) else None
-
-
-# ---------------------------------------------------------------------------------------- hulls
-
-
-def _larger(x: Number, y: Number) -> Number:
-    return operate("max", x, y)
-
-
-def _smaller(x: Number, y: Number) -> Number:
-    return operate("min", x, y)
-
-
-def _within(x: Number, low: float, high: float) -> Number:
-    return _larger(_smaller(x, high), low)
-
-
-def _beyond(share: Number) -> Number:
-    """Return the square of how far a share of a length lies out of it, or nearly."""
-    out = share - _within(share, MARGIN, 1.0 - MARGIN)
-    return out * out
-
-
-def _place(corner: Vector) -> Distance:
-    return lambda x, _: norm(subtract(x, corner))
-
-
-def _segment(first: Vector, second: Vector) -> Distance:
-    u = subtract(second, first)
-    length2 = dot(u, u)
-
-    def distance(x: Vector, grows: bool) -> Number:
-        link = subtract(x, first)
-        share = dot(link, u) / length2
-        across = subtract(link, scale(_within(share, 0.0, 1.0), u))
-        more = length2 * _beyond(share) if grows else 0.0
-        return sqrt(dot(across, across) + more)
-
-    return distance
-
-
-def _polygon(rows: Rows, corners: tuple[Vector, ...], rounded: bool, end: str) -> Distance:
-    """Return the distance to a convex polygon, whose corners go round it either way."""
-    default = rows.mechanism.default
-    edges = list(zip(corners, (*corners[1:], corners[0]), strict=True))
-    area = sum(default(a[0] * b[1] - a[1] * b[0]) for a, b in edges)
-    faces = []
-    for k, (one, two) in enumerate(edges):
-        along = subtract(two, one)
-        length = norm(along)
-        rows.rule(length, ">", f"two corners of the polygon{end} coincide: length {{value:.6g}} m")
-        outward = scale((-1.0 if area > 0.0 else 1.0) / length, turned(along))
-        faces.append((one, outward))
-        for other in set(range(len(corners))) - {k, (k + 1) % len(corners)}:
-            depth = -1.0 * dot(subtract(corners[other], one), outward)
-            text = f"the polygon{end} is not convex, or its corners are not in turn: corner "
-            text += f"{other + 1} is {{value:.6g}} m within edge {k + 1}, which must be > 0"
-            rows.rule(depth, ">", text)
-    segments = [_segment(*edge) for edge in edges]
-
-    def distance(x: Vector, grows: bool) -> Number:
-        depth, *others = (dot(subtract(x, one), outward) for one, outward in faces)
-        for other in others:
-            depth = _larger(depth, other)
-        if not rounded:
-            return depth
-        nearest, *others = (segment(x, grows) for segment in segments)
-        for other in others:
-            nearest = _smaller(nearest, other)
-        return depth + nearest - operate("abs", depth)
-
-    return distance
-
-
-def _box(half: Vector, rounded: bool) -> Distance:
-    def distance(x: Vector, grows: bool) -> Number:
-        heights = [operate("abs", y) - a for y, a in zip(x, half, strict=True)]
-        highest = _larger(_larger(heights[0], heights[1]), heights[2])
-        if not rounded:
-            return highest
-        beyond = [_larger(height, 0.0) for height in heights]
-        if grows:
-            least = _smaller(_smaller(heights[0], heights[1]), heights[2])
-            beyond.append(_larger(least + MARGIN * norm(half), 0.0))
-        return sqrt(_larger(dot(beyond, beyond), 1e-300)) + _smaller(highest, 0.0)
-
-    return distance
+FLUSH = 1e-8
+"""Of the size of the mechanism: how far a sharp corner beside a face is in line with it."""
+MOST_GAPS = 2000
+"""Of two bodies with convex parts."""
 
 
 # ---------------------------------------------------------------------------------------- pairs
@@ -209,12 +97,53 @@ def add_boxes(rows: Rows, contact: BoxContact, _: JointParts) -> None:
     _add_pair(rows, contact, _hulls(rows, contact, (first, second)))
 
 
+def add_convex(rows: Rows, contact: ConvexContact, _: JointParts) -> None:
+    """Keep each convex part of one body off each of the other."""
+    both: list[list[Shape]] = []
+    for body, title, file, field in zip(
+        contact.bodies, _titles(contact), (contact.file, contact.other_file),
+        ("file", "other_file"), strict=True,
+    ):  # fmt: skip
+        frame = _frame(rows, body)
+        if file is None:
+            assert contact.size is not None
+            corners = box_corners(rows, contact.size, 0.0)
+            both.append([_box_in_space(frame, title, corners, 0.0, False)])
+            continue
+        try:
+            pieces = convex_pieces(file, contact.scale)
+        except NotConvexError as problem:
+            help = "split it into convex pieces that do not share corners, all in one file, or "
+            help += 'write a contact for the file of each; points touch what is hollow: "mesh"'
+            rows.problem(f"{problem}; {help}", f".{field}")
+            return
+        names = [
+            f" of part {k}{title}" if len(pieces) > 1 else title for k in range(1, len(pieces) + 1)
+        ]
+        both.append([_polyhedron(frame, x, piece) for x, piece in zip(names, pieces, strict=True)])
+    pairs = list(product(*both))
+    gaps = sum(len(a.corners) + len(b.corners) + len(a.edges) * len(b.edges) for a, b in pairs)
+    if gaps > MOST_GAPS:
+        text = f"its corners and edges make {gaps} gaps, more than {MOST_GAPS}: the bodies have "
+        text += " and ".join(str(sum(len(shape.edges) for shape in shapes)) for shapes in both)
+        rows.problem(f"{text} edges; simplify them, or leave out pieces that cannot touch", ".file")
+        return
+    for first, second in pairs:
+        _add_pair(rows, contact, [first, second])
+
+
+def _polyhedron(frame: Ground | RigidFrame, title: str, piece: Piece) -> Shape:
+    up = free_direction(piece.planes)
+    distance = polyhedron(piece.planes)
+    return Shape(frame, title, piece.corners, 0.0, distance, piece.planes, piece.edges, up)
+
+
 def _titles(contact: PairContact) -> list[str]:
     return [f" of '{name}'" if name else " of the ground" for name in contact.bodies]
 
 
 def _hulls(
-    rows: Rows, contact: PairContact, corners: tuple[tuple[Vector, ...], tuple[Vector, ...]]
+    rows: Rows, contact: RoundedContact, corners: tuple[tuple[Vector, ...], tuple[Vector, ...]]
 ) -> list[Shape]:
     first, second = contact.radii
     rounded = is_there(first) or is_there(second)
@@ -224,18 +153,33 @@ def _hulls(
     for name, title, places, radius in zip(
         contact.bodies, _titles(contact), corners, contact.radii, strict=True
     ):
+        frame = _frame(rows, name)
         if len(places) == 1:
-            distance = _place(places[0])
+            shapes.append(Shape(frame, title, places, radius, place(places[0])))
         elif len(places) == 2:
-            distance = _segment(*places)
+            shapes.append(Shape(frame, title, places, radius, segment(*places)))
         elif rows.mechanism.dim == 2:
-            distance = _polygon(rows, places, rounded, title)
+            distance = polygon(rows, places, rounded, title)
+            shapes.append(Shape(frame, title, places, radius, distance))
         else:
-            distance = _box(places[-1], rounded)
-        frame = rows.parts.frame(name)
-        assert isinstance(frame, Ground | RigidFrame)
-        shapes.append(Shape(frame, title, places, radius, distance))
+            shapes.append(_box_in_space(frame, title, places, radius, rounded))
     return shapes
+
+
+def _frame(rows: Rows, name: str | None) -> Ground | RigidFrame:
+    frame = rows.parts.frame(name)
+    assert isinstance(frame, Ground | RigidFrame)
+    return frame
+
+
+def _box_in_space(
+    frame: Ground | RigidFrame, title: str, corners: tuple[Vector, ...], radius: Number,
+    rounded: bool,
+) -> Shape:  # fmt: skip
+    half = corners[-1]
+    return Shape(
+        frame, title, corners, radius, box(half, rounded), box_planes(half), BOX_EDGES, UP_OF_A_BOX
+    )
 
 
 def _add_pair(rows: Rows, contact: PairContact, shapes: list[Shape]) -> None:
@@ -254,6 +198,7 @@ def _add_pair(rows: Rows, contact: PairContact, shapes: list[Shape]) -> None:
         return
     for k in range(len(second.corners)):
         _add_corner(rows, contact, second, k, first, grows=True)
+    add_crossings(rows, contact, first, second)
     _demand_apart(rows, first, second)
 
 
@@ -271,9 +216,19 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
         pairs = [pair for x in both for pair in pairwise((*x, x[0]))]
         axes = [turned(unit(subtract(b, a))) for a, b in pairs if a != b]
     else:
-        edges = [[unit(subtract(x[k], x[0])) for k in (1, 2, 4) if k < len(x)] for x in both]
-        axes = [axis for x in edges if len(x) > 1 for axis in x]
+        axes = [_drawn_normal(rows, shape, x) for shape in (first, second) for x, _ in shape.planes]
+        edges = [
+            [unit(subtract(x[i], x[k])) for i, k, *_ in shape.edges or ((0, 1, 0, 0),)]
+            for x, shape in zip(both, (first, second), strict=True)
+        ]
         axes += [cross(a, b) for a, b in product(*edges)]
+    if (
+        first.planes
+        and second.planes
+        and not is_there(first.radius)
+        and not is_there(second.radius)
+    ):
+        _note_flush(rows, first, second, both)
     overlap = mechanism.extent
     for axis in axes:
         if number(norm(axis)) > 1e-6:
@@ -282,6 +237,39 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
     if overlap > mechanism.drawn_into("m"):
         text = f"it is drawn in penetration: the bodies overlap by {overlap:.6g} m"
         rows.problem(f"{text}; draw them apart")
+
+
+def _note_flush(
+    rows: Rows, first: Shape, second: Shape, places: list[list[tuple[float, ...]]]
+) -> None:  # fmt: skip
+    """Note sharp corners in line with faces: on an edge nothing decides which face they touch."""
+    near, number = FLUSH * rows.mechanism.extent, rows.mechanism.default
+    for of, other, corners, others in (
+        (first, second, places[0], places[1]), (second, first, places[1], places[0]),
+    ):  # fmt: skip
+        normals = [_drawn_normal(rows, other, normal) for normal, _ in other.planes]
+        tops = [max(number(dot(normal, x)) for x in others) for normal in normals]
+        heights = [
+            [number(dot(n, x)) - top for n, top in zip(normals, tops, strict=True)] for x in corners
+        ]
+        beside = [min(column) < -near for column in zip(*heights, strict=True)]  # not on the face
+        in_line = [
+            sorted(row)[-2] <= near
+            and any(abs(x) <= near and is_so for x, is_so in zip(row, beside, strict=True))
+            for row in heights
+        ]
+        if any(in_line):
+            text = f"{{value:g}} corners{of.title} are drawn in line with faces{other.title}: on "
+            text += "an edge nothing decides which face a sharp corner touches, and it may pass; "
+            text += "make one body smaller, or boxes round with radii = [...]"
+            rows.rule(float(sum(in_line)), "noted", text)
+            return
+
+
+def _drawn_normal(rows: Rows, shape: Shape, normal: Vector) -> Vector:
+    """Return a direction in axes of a body, as it is drawn."""
+    rows_of_axes = zip(*shape.frame.axes, strict=True)
+    return tuple(rows.mechanism.default(dot(row, normal)) for row in rows_of_axes)
 
 
 def _add_corner(
@@ -302,65 +290,13 @@ def _add_corner(
     add_contact(rows, contact, gap, end=f" at corner {k + 1}{of.title}", slips=slips)
 
 
-class _Stick:
-    """Segment p + s u of a capsule in space, in axes of the other body, that measures all slips.
-
-    The contacts of a line of contact then roll alike, over any step.
-    """
-
-    def __init__(self, rows: Rows, contact: PairContact, stick: Shape, other: Shape) -> None:
-        mechanism = rows.mechanism
-        self.rows, self.contact, self.stick, self.other = rows, contact, stick, other
-        self.places = [other.frame.coordinates(stick.place(end)) for end in stick.corners]
-        self.leaves = tuple(
-            mechanism.leaf(mechanism.component(*form)) for x in self.places for form in x
-        )
-        self.p, end = (tuple(leaf_symbol(3 * i + k) for k in range(3)) for i in range(2))
-        self.u = subtract(end, self.p)
-
-    def add_gap(
-        self, s: Number, o: Vector, t: Number, v: Vector, more: Number, where: str
-    ) -> None:  # fmt: skip
-        """Keep p + s u and o + t v apart."""
-        link = subtract(add(subtract(self.p, o), scale(s, self.u)), scale(t, v))
-        square, slips = dot(link, link), []
-        if self.contact.friction is not None:
-            normal, shares = scale(1.0 / sqrt(square), link), (1.0 - s, s)
-            slips = slip_rates(
-                self.rows, self.contact, self.stick.ball, self.leaves, normal, self.places,
-                self.stick.radius, shares, self.other.up,
-            )  # fmt: skip
-        reach = self.stick.radius + self.other.radius
-        gap = Formula(sqrt(square + more) - reach, self.leaves)
-        add_contact(self.rows, self.contact, gap, end=where, slips=slips)
-
-    def add_corner(self, o: Vector, t: float, v: Vector, where: str) -> None:
-        """Keep it off the corner o + t v; beyond its ends, which see the other one, farther."""
-        uu = dot(self.u, self.u)
-        free = (t * dot(self.u, v) - dot(self.u, subtract(self.p, o))) / uu
-        self.add_gap(_within(free, 0.0, 1.0), o, t, v, uu * _beyond(free), where)
-
-    def add_crossing(self, o: Vector, v: Vector, where: str) -> None:
-        """Keep it off an edge, where the lines are nearest to each other between their ends."""
-        u, w = self.u, subtract(self.p, o)
-        uu, uv, vv, uw, vw = dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)
-        both = cross(u, v)
-        sine2 = dot(both, both)
-        bound = _larger(sine2, PARALLEL * uu * vv)
-        s_free, t_free = (uv * vw - vv * uw) / bound, (uu * vw - uv * uw) / bound
-        s, t = _within(s_free, 0.0, 1.0), _within(t_free, 0.0, 1.0)
-        beyond = [_within(s_free - s, -1.0, 1.0), _within(t_free - t, -1.0, 1.0)]
-        more = uu * (beyond[0] * beyond[0] + 1.0 - sine2 / bound) + vv * beyond[1] * beyond[1]
-        self.add_gap(s, o, t, v, more, where)
-
-
 def _add_sticks(rows: Rows, contact: PairContact, first: Shape, second: Shape) -> None:
     """Keep two capsules in space apart: ends of each from the other, and where they cross."""
-    stick = _Stick(rows, contact, first, second)
+    stick = Stick(rows, contact, first, second)
     o, v = second.corners[0], subtract(second.corners[1], second.corners[0])
     vv, uv, vw = dot(v, v), dot(stick.u, v), dot(v, subtract(stick.p, o))
     for s in (0.0, 1.0):
-        t = _within((vw + s * uv) / vv, 0.0, 1.0)
+        t = within((vw + s * uv) / vv, 0.0, 1.0)
         stick.add_gap(s, o, t, v, 0.0, f" at corner {1 + int(s)}{first.title}")
     for t in (0.0, 1.0):
         stick.add_corner(o, t, v, f" at corner {1 + int(t)}{second.title}")
@@ -371,10 +307,10 @@ def _add_stick_on_box(rows: Rows, contact: PairContact, first: Shape, box: Shape
     """Keep a capsule off a box: its ends, the corners, and the edges that cross it."""
     for k in range(2):
         _add_corner(rows, contact, first, k, box, grows=False)
-    stick = _Stick(rows, contact, first, box)
+    stick = Stick(rows, contact, first, box)
     for k, corner in enumerate(box.corners):
         stick.add_corner(corner, 0.0, (0.0,) * 3, f" at corner {k + 1}{box.title}")
-    for i, k in EDGES:
+    for i, k, *_ in BOX_EDGES:
         along = subtract(box.corners[k], box.corners[i])
         where = f" at the edge from corner {i + 1} to {k + 1}{box.title}"
         stick.add_crossing(box.corners[i], along, where)
@@ -416,7 +352,7 @@ def add_cylinder(rows: Rows, contact: CylinderContact, _: JointParts) -> None:
             cosine = leaf_symbol(1)
             pairs = [(spoke, upward, across) for spoke in spokes]
             turning, size2 = dot_of_pairs(mechanism, used, pairs)
-            arm = contact.radius * sqrt(_larger(1.0 - cosine * cosine, 0.0))
+            arm = contact.radius * sqrt(larger(1.0 - cosine * cosine, 0.0))
             speed = dot(contact.surface_velocity or (0.0,) * 3, tangent)
             slip = leaf_symbol(0) - speed - arm * turning / (size2 + FLAT * FLAT)
             slips.append(Formula(slip, tuple(used)))
@@ -426,5 +362,5 @@ def add_cylinder(rows: Rows, contact: CylinderContact, _: JointParts) -> None:
 
 SHAPES = {
     CapsuleContact: add_capsules, PolygonContact: add_polygons, BoxContact: add_boxes,
-    CylinderContact: add_cylinder,
+    ConvexContact: add_convex, CylinderContact: add_cylinder,
 }  # fmt: skip

@@ -61,7 +61,7 @@ from solver.scene.joints import (
     Spherical,
     Universal,
 )
-from solver.scene.meshes import MeshContact
+from solver.scene.meshes import ConvexContact, MeshContact
 from solver.scene.parameters import Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.reader import load, loads
@@ -74,6 +74,7 @@ from solver.scene.shapes import (
     CylinderContact,
     PairContact,
     PolygonContact,
+    RoundedContact,
 )
 from solver.scene.surfaces import (
     CamContact,

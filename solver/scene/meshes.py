@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
 from solver.scene.contact_laws import RubbingContact
-from solver.scene.contacts import read_corners
+from solver.scene.contacts import check_size, read_corners
 from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
 from solver.scene.files import DataFile, read_file
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
+from solver.scene.shapes import PairContact
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -47,7 +48,7 @@ def triangles_of(mesh: DataFile) -> Any:
     return found
 
 
-def _read_mesh(reader: "Reader", path: Path, file: Any, _: Any) -> DataFile:
+def read_mesh(reader: "Reader", path: Path, file: Any, _: Any) -> DataFile:
     """Read a file of triangles that have an inside; report one that has not."""
     if file is BROKEN:
         return NO_MESH
@@ -117,7 +118,7 @@ class MeshContact(RubbingContact):
     only_in = (3, "in the plane write 'profile' or 'surface'")
 
     file: Annotated[
-        DataFile, kind.Plain(text=f"STL or OBJ, {_FILE}", example="bowl.stl", reading=_read_mesh)
+        DataFile, kind.Plain(text=f"STL or OBJ, {_FILE}", example="bowl.stl", reading=read_mesh)
     ]
     body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     position: Annotated[
@@ -151,7 +152,7 @@ class MeshContact(RubbingContact):
         DataFile | None,
         kind.Plain(
             text=f"STL or OBJ of the part, with the same scale, {_FILE}: its corners",
-            example="cube.stl", reading=_read_mesh,
+            example="cube.stl", reading=read_mesh,
         ),
     ] = None  # fmt: skip
     most_corners: Annotated[int, kind.Plain(type=int, text="of a file", rule=_COUNT)] = 32
@@ -188,5 +189,53 @@ class MeshContact(RubbingContact):
             reader.draft.error((*path, name), message, "name the body that has them")
 
 
-MESHES: dict[str, type[kind.Part]] = {MeshContact.type: MeshContact}
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConvexContact(PairContact):
+    """Two bodies made of convex parts: the pieces of a mesh each, or a mesh and a box."""
+
+    type = "convex"
+    only_in = (3, "in the plane write 'polygon'")
+
+    file: Annotated[
+        DataFile,
+        kind.Plain(
+            text=f"STL or OBJ of the first body, in its axes, of convex pieces, {_FILE}",
+            example="die.stl", reading=read_mesh,
+        ),
+    ]  # fmt: skip
+    other_file: Annotated[
+        DataFile | None,
+        kind.Plain(text="of the second body, likewise", example="die.stl", reading=read_mesh),
+    ] = None
+    size: Annotated[
+        Vector | None,
+        kind.Components(
+            "m", "instead of other_file: lengths of a box about the origin of the second body",
+            rule=POSITIVE,
+        ),
+    ] = None  # fmt: skip
+    scale: Annotated[
+        float, kind.setting("m", "of one unit of the files, 0.001 for mm", POSITIVE, 1.0)
+    ] = 1.0
+
+    @property
+    def files(self) -> dict[str, DataFile]:
+        """Files by the fields that name them."""
+        both = {"file": self.file, "other_file": self.other_file}
+        return {name: mesh for name, mesh in both.items() if mesh is not None}
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that the second body has one shape."""
+        PairContact.check(self, reader, path, given)
+        if (given.other_file is None) == (given.size is None):
+            message = "must have either 'other_file' or 'size', the shape of the second body"
+            help = 'write other_file = "die.stl", or size = [...] for a box'
+            reader.draft.error(path, message, help)
+        if self.size is not None and given.size is not BROKEN:
+            check_size(reader, (*path, "size"), self.size)
+
+
+MESHES: dict[str, type[kind.Part]] = {
+    contact.type: contact for contact in (MeshContact, ConvexContact)
+}
 """Types of contacts with meshes."""

@@ -114,11 +114,17 @@ class PairContact(RubbingContact):
         tuple[str | None, str | None],
         kind.ListOf(item=kind.NAME, size=kind.TWO, example=["a", "b"], reading=_pair),
     ]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RoundedContact(PairContact):
+    """Two bodies with shapes whose corners are rounded."""
+
     radii: Annotated[tuple[Number, Number], _ROUNDED] = (0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CapsuleContact(PairContact):
+class CapsuleContact(RoundedContact):
     """Two capsules: all places within a radius of a segment; of one place, a ball."""
 
     type = "capsule"
@@ -140,7 +146,7 @@ class CapsuleContact(PairContact):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PolygonContact(PairContact):
+class PolygonContact(RoundedContact):
     """Two convex polygons in the plane; one of two corners is an edge, one of one a place."""
 
     type = "polygon"
@@ -164,7 +170,7 @@ def _segment(reader: "Reader", path: Path, ends: Any, _: Any) -> Places:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class BoxContact(PairContact):
+class BoxContact(RoundedContact):
     """Two boxes about the origins of their bodies, in 2-D rectangles, or one and a capsule."""
 
     type = "box"
@@ -186,7 +192,7 @@ class BoxContact(PairContact):
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that there are two shapes, and that a capsule has a radius."""
-        PairContact.check(self, reader, path, given)
+        RoundedContact.check(self, reader, path, given)
         if BROKEN in (given.sizes, given.segment):
             return
         count = 2 if given.segment is None else 1

@@ -59,7 +59,8 @@ _WORDS = {
         plane: floor ground wall line halfspace half_space
         corners: vertices feet
         capsule: segment stick pill rods
-        polygon: convex hull polygons
+        polygon: hull polygons
+        convex: polyhedron polyhedra convex_hull convex_mesh
         box: block cube cuboid rectangle boxes
         cylinder: coin drum rim barrel
         sphere: ball balls disc discs circle
@@ -136,7 +137,7 @@ _NOT_A_WORD = {
     ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
         'write a contact in [contacts]: type = "plane", "corners", "sphere", "clearance", '
         '"journal", "stop", "profile", "cam", "surface", "height_field", "superquadric", '
-        '"capsule", "polygon", "box", "cylinder" or "ellipsoid"'
+        '"mesh", "convex", "capsule", "polygon", "box", "cylinder" or "ellipsoid"'
     ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""

@@ -259,3 +259,12 @@ def test_a_stick_comes_to_rest_across_another_one():
     found = played("crossed_sticks")
     assert found["sticks.impacts"][-1] >= 1.0
     assert (found["sticks.mode"][-1], found["upper_floor.mode"][-1]) == (1.0, 1.0)
+
+
+def test_a_caltrop_tips_a_plank_and_comes_to_stand_on_a_face_on_the_floor():
+    """Its centre is a/sqrt(24) above a face whose edges are a; the plank has left its block."""
+    found = played("caltrop")
+    assert found["hit.impacts"][-1] >= 1.0
+    assert found["caltrop.z"][-1] == pytest.approx(0.1 / math.sqrt(24.0), abs=1e-8)
+    assert found["caltrop_floor.force"][-1] == pytest.approx(0.5 * GRAVITY, rel=1e-6)
+    assert found["support.mode"][-1] == 0.0

@@ -14,6 +14,7 @@ from solver.scene import (
     ClearanceContact,
     ConstantAngle,
     Constraint,
+    ConvexContact,
     CornersContact,
     CylinderContact,
     DisplacementDriver,
@@ -190,6 +191,14 @@ def test_a_height_field_arrives_as_written():
         z=((0.0, 0.1, 0.0), (0.0, 0.0, 1.0)), position=(0.0, 0.0, 1.0), friction=0.1,
         ball_radius=parse("a"),
     )  # fmt: skip
+
+
+def test_convex_parts_arrive_as_written():
+    found = loads(ROUGH).contacts["n7"]
+    assert isinstance(found, ConvexContact)
+    assert (found.bodies, found.size, found.scale) == (("b2", None), (1.0, 1.0, 2.0), 0.5)
+    assert found.files == {"file": found.file}
+    assert b"v 0 0 1" in found.file.content
 
 
 def test_a_cylinder_arrives_as_written():
