@@ -294,7 +294,17 @@ TAN_15 = math.tan(math.radians(15))
 
 @pytest.mark.parametrize(
     "friction",
-    [0.1, TAN_15 - 1e-6, TAN_15 + 1e-6, TAN_15 + 1e-5, TAN_15 + 1e-4, TAN_15 + 1e-3, 0.27, 0.6, 0.9],
+    [
+        0.1,
+        TAN_15 - 1e-6,
+        TAN_15 + 1e-6,
+        TAN_15 + 1e-5,
+        TAN_15 + 1e-4,
+        TAN_15 + 1e-3,
+        0.27,
+        0.6,
+        0.9,
+    ],
 )
 def test_a_wedge_of_15_degrees_locks_itself_above_tan_15(friction):
     # Pulled out with 3 N: 3 = 2 N (friction cos - sin) of the least forces that hold it.
