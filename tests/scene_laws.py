@@ -265,7 +265,8 @@ def check_path(x: Around) -> bool:
     """
     head, state = x.before.head, State(x.before)
     parts = bool(np.any(x.rates[x.normal] > state.speed_tolerance))
-    if x.rubs or parts or head["impact_law"] or x.after.head["jams"] != head["jams"]:
+    slow = x.approach <= max(head["rest_speed"], SLACK * x.speed)
+    if slow or x.rubs or parts or head["impact_law"] or x.after.head["jams"] != head["jams"]:
         return False  # what touches and parts may hit a second time
     rows, places = [], []
     for row, slips in zip(x.normal, x.slips, strict=True):

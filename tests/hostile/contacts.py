@@ -80,7 +80,11 @@ def _unclear(text: str) -> str | None:
     """Return what is wrong with a sentence."""
     if "a fault of this program" in text or not text.strip():
         return f"no clear sentence: {text[:200]!r}"
-    if "is not finite" in text or (re.search(r"\bnan\b", text) and "'nan'" not in text):
+    if (
+        re.match(r"\S+ is not finite", text)
+        or "a number of it is not finite" in text
+        or (re.search(r"\bnan\b", text) and "'nan'" not in text)
+    ):
         return f"a sentence with nan: {text[:300]!r}"
     return None
 
