@@ -23,7 +23,7 @@ from tests.contact_scenes import (
     two_on_a_spring,
 )
 from tests.exact_contacts import rod_that_bounces
-from tests.problems import GRAVITY, mechanism, start
+from tests.problems import GRAVITY, Content, mechanism, start
 
 SLIDER_STOP, SLIDER_PLACE, SLIDER_LOSS = 0.509683995922528, 0.382262996941896, 1.125
 BELT_FIRST_SLIP, BELT_SLIP_TIME, BELT_PERIOD = 0.25, 0.471238898038469, 0.671238898038469
@@ -234,3 +234,43 @@ def test_a_ball_begins_to_slide_under_a_push_that_grows_and_turns_round(turn, h,
     ran.advance(0.0, end)
     assert [ran["ball.x"], ran["ball.y"]] == pytest.approx(exact, abs=error)
     assert float(ran["energy.error"]) < 1e-11
+
+
+def ball_in_a_socket(friction: float) -> Content:
+    """A body of 1 kg on a ball that turns in a socket with 1 mm of play."""
+    return mechanism(
+        "socket",
+        3,
+        points={"o": {"position": [0.0, 0.0, 0.0], "fixed": True}},
+        bodies={
+            "b": {
+                "mass": 1.0, "inertia": [1e-3, 5e-3, 5e-3], "position": [0.3, 0.0, 0.0],
+                "angular_velocity": [3.0, 1.0, 2.0], "points": {"e": [-0.3, 0.0, 0.0]},
+            }
+        },
+        contacts={
+            "c": {
+                "type": "clearance", "points": ["b.e", "o"], "radius": 1e-3, "pin_radius": 0.01,
+                "restitution": 0.0, "friction": friction,
+            }
+        },
+    )  # fmt: skip
+
+
+def increments_and_half_steps(friction: float) -> np.ndarray:
+    """Newton's increments and half steps of 0.26 s."""
+    ran = start(ball_in_a_socket(friction), h=0.001)
+    counts = np.zeros(2)
+    for step in range(26):
+        ran.advance(0.01 * step, 0.01)
+        counts += float(ran["solver.newton_iterations"]), float(ran["solver.substeps"])
+    return counts
+
+
+@pytest.mark.parametrize("friction", [0.005, 0.1, 0.5])
+def test_slow_sliding_in_space_takes_few_more_increments_than_none(friction):
+    # With 0.5 it creeps for long times at a hundredth of what friction changes in a step. Where a
+    # slip turned its friction by a fixed part, increments shrank by a third: 2.4 times as many.
+    smooth, rough = (increments_and_half_steps(x) for x in (0.0, friction))
+    assert rough[0] < 1.7 * smooth[0]
+    assert rough[1] < 1.1 * smooth[1]
