@@ -39,6 +39,7 @@ class CContacts(ctypes.Structure):
                 *("W", "b", "p", "rate", "scratch"),
             )
         ),
+        ("least_size", ctypes.c_double),
         ("several", ctypes.c_int32),
     ]
 

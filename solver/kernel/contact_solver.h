@@ -27,17 +27,18 @@ typedef struct contact_problem {
     const double *W, *b;             /* rows x rows, may be singular; rows                                          */
     double *p, *rate;                /* rows, overwritten: p, gamma                                                 */
     double *scratch;                 /* CONTACT_SCRATCH(rows) doubles                                               */
+    double least_size;               /* weighted rate below which none counts as large: of b that is a small rest of larger terms, else 0 */
     int32_t several;                 /* overwritten: whether there are several solutions with different rates       */
 } contact_problem;
 
-enum solution_wanted { LEAST_WORK, MOST_WORK };
+enum solution_wanted { LEAST_WORK, MOST_WORK, LEAST_WORK_IF_ANY }; /* the last where there may be none: no long search then */
 
 #define SOLVED 1e-12          /* defect over the largest rate that counts as none                                 */
 #define FITS 1e-10            /* likewise, of inequalities when choices are tried                                 */
 #define DIFFERENT_RATES 1e-7  /* difference of two solutions' rates over the largest one                          */
 #define DEPENDENT_ROWS 1e-12  /* of a matrix with diagonal 1: a smaller pivot is that of a dependent row         */
 #define REDUNDANT 1e-10       /* likewise, where it decides whether impulses are shared                           */
-enum { MOST_CHOICES_TRIED = 1024, MOST_SWEEPS_FIRST = 60, MOST_ITERATIONS = 60 };
+enum { MOST_CHOICES_TRIED = 1024, MOST_SWEEPS_FIRST = 60, MOST_ITERATIONS = 60, MOST_IN_SETS = 5, SCATTERED_STARTS = 200 };
 
 /* Parts of the scratch; rows each, the matrices rows x rows. */
 typedef struct contact_parts {
@@ -82,7 +83,7 @@ static inline double work_of_solution(const contact_problem *x)
    round.                                                                                                         */
 HM_SELDOM static double weigh_rows(const contact_problem *x, const contact_parts *s)
 {
-    double size = 0.0;
+    double size = x->least_size;
     for (int32_t i = 0; i < x->contacts; i++) {
         double stiffness = 0.0;
         const int32_t k = x->first[i];
@@ -194,7 +195,7 @@ HM_SELDOM static void keep_solution(contact_problem *x, const contact_parts *s, 
         differs |= fabs(rate - x->rate[k]) * s->weight[k] > DIFFERENT_RATES * size;
     }
     x->several |= differs;
-    if (*found && !(differs && (wanted == LEAST_WORK ? work < *best : work > *best))) return;
+    if (*found && !(differs && (wanted != MOST_WORK ? work < *best : work > *best))) return;
     *found = 1, *best = work;
     memcpy(s->kept, x->p, sizeof(double) * (size_t)x->rows);
 }
@@ -333,25 +334,53 @@ HM_SELDOM static int continue_in_friction(const contact_problem *x, const contac
     return 0;
 }
 
-/* From starts at which all push, or one of them, the solution of most work. */
-HM_SELDOM static int from_pushing(contact_problem *x, const contact_parts *s, double size)
+/* From starts all over the cones, of the size of the rates. */
+HM_SELDOM static int from_anywhere(const contact_problem *x, const contact_parts *s, double size)
+{
+    uint32_t number = 1;
+    double largest = 0.0;
+    for (int32_t k = 0; k < x->rows; k++) largest = fmax(largest, fabs(x->b[k]) * s->weight[k]);
+    for (int32_t start = 0; start < SCATTERED_STARTS; start++) {
+        for (int32_t i = 0; i < x->contacts; i++) {
+            const int32_t k = x->first[i];
+            for (int32_t r = k; r <= k + x->tangents[i]; r++) {
+                number = 1664525u * number + 1013904223u; /* a congruence, so that every run starts alike */
+                const double part = (double)number / 4294967296.0, cone = x->coefficient[i] * x->p[k];
+                if (r == k) x->p[r] = largest * s->weight[k] * fmax(0.0, 4.0 * part - 1.0);
+                else x->p[r] = x->slides[i] ? -cone * x->way[r] : cone * (2.0 * part - 1.0);
+            }
+        }
+        if (iterate_contacts(x, s, size, 0)) return 1;
+    }
+    return 0;
+}
+
+/* From starts at which one set of contacts after the other pushes, sticking as it must or with impulses of the size of rates, the
+   solution of that work. */
+HM_SELDOM static int from_pushing(contact_problem *x, const contact_parts *s, double size, int wanted)
 {
     double best = 0.0, *start = s->columns;
     int found = 0;
-    for (int32_t j = -1; j < x->contacts; j++)
-        for (int far = 0; far < 2; far++) {
-            for (int32_t k = 0; k < x->rows; k++) x->p[k] = 0.0;
-            for (int32_t i = 0; i < x->contacts; i++) {
+    const int32_t n = x->contacts, sets = n <= MOST_IN_SETS ? (1 << n) - 1 : n + 1;
+    for (int32_t set = 1; set <= sets; set++)
+        for (int far = 0; far < 3; far++) {
+            for (int32_t i = 0; i < n; i++) {
+                const int pushes = n <= MOST_IN_SETS ? set >> i & 1 : set > n || set == i + 1;
+                s->digit[i] = pushes ? CHOICE_PUSHES : CHOICE_PARTS;
+            }
+            if (far == 0) choice_fits(x, s, size);
+            for (int32_t k = 0; k < x->rows && far > 0; k++) x->p[k] = 0.0;
+            for (int32_t i = 0; i < n && far > 0; i++) {
                 const int32_t k = x->first[i];
-                if (j >= 0 && j != i) continue;
-                x->p[k] = (far ? 10.0 : 1.0) * size * s->weight[k];
+                if (s->digit[i] == CHOICE_PARTS) continue;
+                x->p[k] = (far > 1 ? 10.0 : 1.0) * size * s->weight[k];
                 for (int32_t t = k + 1; t <= k + x->tangents[i] && x->slides[i]; t++)
                     x->p[t] = -x->coefficient[i] * x->p[k] * x->way[t];
             }
             if (!iterate_contacts(x, s, size, 0)) continue;
             contact_rates(x);
             const double work = work_of_solution(x);
-            if (found && !(work > best)) continue;
+            if (found && !(wanted == MOST_WORK ? work > best : work < best)) continue;
             found = 1, best = work;
             memcpy(start, x->p, sizeof(double) * (size_t)x->rows);
         }
@@ -386,15 +415,16 @@ HM_SELDOM static int hm_solve_contacts(contact_problem *x, int wanted)
     }
     for (int32_t k = 0; k < x->rows; k++) x->p[k] = 0.0;
     if (!(size < INFINITY)) return 1;
-    if (size == 0.0 && wanted == LEAST_WORK) found = 1;
+    if (size == 0.0 && wanted != MOST_WORK) found = 1;
     if (!found && count) found = try_choices(x, &s, size, count, wanted);
-    else if (!found && wanted == LEAST_WORK) found = choice_fits(x, &s, size);
+    else if (!found && wanted != MOST_WORK) found = choice_fits(x, &s, size);
     for (int32_t k = 0; k < x->rows && !found; k++) x->p[k] = 0.0;
-    if (!found && wanted == LEAST_WORK)
+    if (!found && wanted != MOST_WORK)
         found = iterate_contacts(x, &s, size, MOST_SWEEPS_FIRST) || (!count && has_friction(x) && continue_in_friction(x, &s, size, s.columns));
     if (!found && !count && !has_friction(x)) found = try_choices(x, &s, size, count_choices(x), wanted);
     for (int32_t i = 0; i < x->contacts; i++) s.mu[i] = x->coefficient[i];
-    if (!found && !count) found = from_pushing(x, &s, size);
+    if (!found && !count) found = from_pushing(x, &s, size, wanted);
+    if (!found && !count && wanted == LEAST_WORK) found = from_anywhere(x, &s, size);
     if (!found) return 1;
     tidy(x, &s);
     contact_rates(x);
@@ -468,7 +498,7 @@ HM_SELDOM static void hm_share_impulses(const contact_problem *x)
         for (int32_t e = 0; e < count; e++) B[j * count + e] = s.change[e];
     }
     rest_split split = {.rows = count, .rank = rank, .first = first, .tangents = tangents, .coefficient = coefficient, .B = B, .g = g,
-                        .force = z, .dual = s.defect, .way = s.change, .defect = s.mu, .trial = s.slope + m, .matrix = s.matrix};
+                        .force = z, .base = s.slope + 2 * m, .dual = s.defect, .way = s.change, .defect = s.mu, .trial = s.slope + m, .matrix = s.matrix};
     for (int32_t i = 0; i < x->contacts; i++) {
         if (at[i] < 0) continue;
         first[split.contacts] = at[i];

@@ -54,7 +54,11 @@ typedef struct hm_impact {
 #define BEGINS_SLOWLY 1e-3     /* growth of a slip, likewise: its direction then follows from its rate              */
 #define HAS_BEGUN 1e-6         /* likewise, slip whose direction counts                                           */
 #define LARGE_RATES 30.0       /* of impulses, over those that walls bring about alone                            */
+#define PAST_TURN 1e-6         /* rate of the clock in a step along impulses, by which a piece goes on beyond the place where walls turn
+                                  back: there no rates could be told from infinite ones                           */
 #define CONE_CLIPPED 1e-10     /* of the cone, by which friction of a turning slip may miss it                     */
+#define REST_OF_RATES 1e-3     /* of the rates before: round-off of them tells no more of rates that are less    */
+#define LAST_BIT 1e-8           /* of the way of the walls                                                          */
 #define NO_WORK 1e-18          /* of p'.W p', over that of the rates of walls: rates of 0                         */
 enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
 
@@ -74,10 +78,12 @@ typedef struct impact_path {
     double *speed, *retreat, *deep, *wall; /* per contact: v; rate of its wall in a jam; how far that is; its rate in the piece */
     double *stage, *start; /* 12 stages of rows + contacts + 2; one more                                           */
     double *kept;          /* rows                                                                                 */
-    int32_t *live, *on, *stuck, *begins;
+    int32_t *live, *on, *stuck, *waits; /* waits: has ended below its wall, which stands until there are rates with which it rises */
     double tau, way_sign;
+    double pace;   /* rate of the clock in a step                                                                  */
     double energy; /* of the rates before, at each row alone; the largest                                          */
     int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
+    int all_rise; /* whether walls that wait rise as well                                                          */
     int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
 } impact_path;
 
@@ -90,7 +96,7 @@ static inline impact_path sweep_map(hm_impact *x)
                .gamma = v + 5 * n, .size = v + 6 * n, .q = v + 7 * n, .turn = v + 8 * n, .lead = v + 9 * n,
                .speed = v + 10 * n, .retreat = v + 11 * n, .deep = v + 12 * n, .wall = v + 13 * n, .kept = v + 14 * n,
                .first = i, .tangents = i + n, .slides = i + 2 * n, .active = i + 3 * n, .live = i + 4 * n, .on = i + 5 * n,
-               .stuck = i + 6 * n, .begins = i + 7 * n, .start = v + 21 * n, .stage = v + 24 * n};
+               .stuck = i + 6 * n, .waits = i + 7 * n, .start = v + 21 * n, .stage = v + 24 * n};
     y.rates = (contact_problem){.first = y.first, .tangents = y.tangents, .coefficient = y.coefficient, .slides = y.slides,
                                 .way = y.way, .W = y.matrix, .b = y.b, .p = y.p, .rate = y.rate, .scratch = x->scratch};
     return y;
@@ -169,7 +175,7 @@ HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
 /* Rates at which the walls move: that of contact i, with advancing (1) or retreating (-1) walls. */
 static inline double wall_rate(const impact_path *s, int32_t i, int is_active)
 {
-    if (s->way_sign > 0.0) return s->live[i] ? s->speed[i] : s->deep[i] > 0.0 ? s->retreat[i] : 0.0;
+    if (s->way_sign > 0.0) return s->live[i] ? s->speed[i] : s->deep[i] > 0.0 && (s->all_rise || !s->waits[i]) ? s->retreat[i] : 0.0;
     return s->live[i] ? -s->speed[i] : is_active ? -s->retreat[i] : 0.0;
 }
 
@@ -223,7 +229,7 @@ HM_SELDOM static int rates_of_path(impact_path *s, double slow)
         for (int32_t k = 0; k < y->rows; k++) moves |= s->b[k] != 0.0;
         memset(s->q, 0, sizeof(double) * (size_t)x->rows);
         if (!moves) return 0;
-        if (hm_solve_contacts(y, s->way_sign > 0.0 ? LEAST_WORK : MOST_WORK)) return 1;
+        if (hm_solve_contacts(y, s->way_sign > 0.0 ? LEAST_WORK_IF_ANY : MOST_WORK)) return 1;
         if (!joints) hm_share_impulses(y);
         for (int32_t c = 0; c < y->contacts; c++)
             for (int32_t a = 0; a <= s->tangents[c]; a++) s->q[x->first[s->active[c]] + a] = s->p[s->first[c] + a];
@@ -235,46 +241,69 @@ HM_SELDOM static int rates_of_path(impact_path *s, double slow)
     return s->way_sign < 0.0 && !(work_of_solution(y) > NO_WORK * most);
 }
 
-/* Contacts that end where no path goes on: the union of the least sets of live ones without which there are rates. */
+static inline int may_end(const impact_path *s, int32_t i) { return s->live[i] || (s->deep[i] > 0.0 && !s->waits[i]); }
+
+/* Contact i ends; one that has not stopped yet stays where it is until its wall can rise. */
+static inline void end_contact(impact_path *s, int32_t i)
+{
+    s->live[i] = 0;
+    s->deep[i] = fmax(0.0, -s->gamma[s->x->first[i]]);
+    s->waits[i] = s->deep[i] > 0.0;
+}
+
+/* Contacts that end where no path goes on: the union of the least sets of them without which there are rates. */
 HM_SELDOM static void end_unsolvable(impact_path *s)
 {
     int32_t count = 0, which[MOST_ENDINGS], out = 0;
     for (int32_t i = 0; i < s->x->contacts; i++)
-        if (s->live[i] && count++ < MOST_ENDINGS) which[count - 1] = i;
+        if (may_end(s, i) && count++ < MOST_ENDINGS) which[count - 1] = i;
     for (int32_t size = 1; size <= count && count <= MOST_ENDINGS && !out; size++)
         for (int32_t set = 1; set < 1 << count; set++) {
-            int32_t bits = 0;
+            int32_t bits = 0, was_live[MOST_ENDINGS];
+            double was_deep[MOST_ENDINGS];
             for (int32_t k = 0; k < count; k++) bits += set >> k & 1;
             if (bits != size) continue;
-            for (int32_t k = 0; k < count; k++) s->live[which[k]] = !(set >> k & 1);
+            for (int32_t k = 0; k < count; k++) {
+                was_live[k] = s->live[which[k]], was_deep[k] = s->deep[which[k]];
+                if (set >> k & 1) end_contact(s, which[k]);
+            }
             if (!rates_of_path(s, 0.0)) out |= set;
-            for (int32_t k = 0; k < count; k++) s->live[which[k]] = 1;
+            for (int32_t k = 0; k < count; k++) s->live[which[k]] = was_live[k], s->deep[which[k]] = was_deep[k], s->waits[which[k]] = 0;
         }
     for (int32_t i = 0, k = 0; i < s->x->contacts; i++)
-        if (s->live[i] && (count > MOST_ENDINGS || !out || out >> k++ & 1)) s->live[i] = 0;
+        if (may_end(s, i) && (count > MOST_ENDINGS || !out || out >> k++ & 1)) end_contact(s, i);
 }
 
-/* Finds the rates, with a remedy where walls cannot go on; 0, 1 if contacts have ended instead, or -1 if nothing helps. */
+/* What is found where there are no rates with which the walls go on. */
+enum { NOTHING_HELPS = -1, RATES_FOUND, HAVE_ENDED, GOES_AT_ONCE };
+
+/* Finds the rates, with a remedy where walls cannot go on. */
 HM_SELDOM static int find_rates(impact_path *s)
 {
-    int lives = 0;
+    int ends = 0, waits = 0;
     s->way_sign = 1.0;
-    if (!rates_of_path(s, 0.0)) return 0;
+    for (int32_t i = 0; i < s->x->contacts; i++) waits |= s->waits[i];
+    s->all_rise = 1;
+    const int none_rise = rates_of_path(s, 0.0);
+    for (int32_t i = 0; i < s->x->contacts && !none_rise; i++) s->waits[i] = 0;
+    s->all_rise = 0;
+    if (!none_rise || (waits && !rates_of_path(s, 0.0))) return RATES_FOUND;
+    if (s->tau < 0.0 && s->tau > -LAST_BIT) return GOES_AT_ONCE;
     s->way_sign = -1.0;
     if (!rates_of_path(s, 0.0)) {
         s->x->jam |= JAM_RETREATED;
-        return 0;
+        return RATES_FOUND;
     }
     s->way_sign = 1.0;
     if (!rates_of_path(s, SLOW_SLIP)) {
         s->x->jam |= JAM_SLOW_STOPPED;
-        return 0;
+        return RATES_FOUND;
     }
-    for (int32_t i = 0; i < s->x->contacts; i++) lives |= s->live[i];
-    if (!lives) return -1;
+    for (int32_t i = 0; i < s->x->contacts; i++) ends |= may_end(s, i);
+    if (!ends) return NOTHING_HELPS;
     s->x->jam |= JAM_ENDED;
     end_unsolvable(s);
-    return 1;
+    return HAVE_ENDED;
 }
 
 #endif

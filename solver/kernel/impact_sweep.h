@@ -5,24 +5,59 @@
 
 #include "turning_pieces.h"
 
+/* Rates by the impulses so far: those of the path leave out what counts as no slip, and where rows depend on each other what remains
+   of them then belongs to no motion. */
+static inline void rates_anew(impact_path *s)
+{
+    rates_of_impulses(s->x, s->x->impulse, s->gamma);
+    for (int32_t k = 0; k < s->x->rows; k++) s->gamma[k] += s->x->before[k];
+}
+
+/* Impulses p of all contacts at once with 0 <= p_N _|_ gamma_N + (W p)_N >= 0 and friction against the slip at their end, from the
+   rates in s->gamma; rates at the end in `rate`. 0, or 1 if none were found. */
+HM_SELDOM static int impulses_at_once(impact_path *s, double *p, double *rate)
+{
+    hm_impact *x = s->x;
+    contact_problem all = {.contacts = x->contacts, .rows = x->rows, .first = x->first, .tangents = x->tangents, .coefficient = x->coefficient,
+                           .slides = s->slides, .way = s->way, .W = x->W, .b = s->gamma, .p = p, .rate = rate, .scratch = x->scratch};
+    int presses = 0;
+    for (int32_t i = 0; i < x->contacts; i++) s->slides[i] = 0;
+    all.least_size = REST_OF_RATES * sqrt(s->energy);
+    memset(p, 0, sizeof(double) * (size_t)x->rows);
+    press_joints(x, p);
+    do {
+        if (hm_solve_contacts(&all, LEAST_WORK)) return 1;
+    } while (press_joints(x, p) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
+    return 0;
+}
+
 /* Where no path goes on: all contacts stop at once, without restitution; that never gives energy. */
 HM_SELDOM static int stop_at_once(impact_path *s)
 {
     hm_impact *x = s->x;
-    contact_problem all = {.contacts = x->contacts, .rows = x->rows, .first = x->first, .tangents = x->tangents, .coefficient = x->coefficient,
-                           .slides = s->slides, .way = s->way, .W = x->W, .b = s->gamma, .p = s->p, .rate = s->rate, .scratch = x->scratch};
-    for (int32_t i = 0; i < x->contacts; i++) s->slides[i] = 0;
-    int presses = 0;
-    memset(s->p, 0, sizeof(double) * (size_t)x->rows);
-    press_joints(x, s->p);
-    do {
-        if (hm_solve_contacts(&all, LEAST_WORK)) return 1;
-    } while (press_joints(x, s->p) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
+    rates_anew(s);
+    if (impulses_at_once(s, s->p, s->rate)) return 1;
     x->jam |= JAM_PLASTIC;
     for (int32_t k = 0; k < x->rows; k++) {
         x->impulse[k] += s->p[k];
         x->plastic -= 0.5 * s->p[k] * (s->gamma[k] + s->rate[k]);
     }
+    return 0;
+}
+
+/* The last bit of the way of the walls at once, where slips come to rest together with them, which no piece resolves. */
+HM_SELDOM static int go_at_once(impact_path *s)
+{
+    hm_impact *x = s->x;
+    rates_anew(s);
+    for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] += s->deep[i];
+    const int failed = impulses_at_once(s, s->q, s->turn);
+    for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] -= s->deep[i];
+    if (failed) return -1;
+    for (int32_t k = 0; k < x->rows; k++) s->turn[k] -= s->gamma[k];
+    for (int32_t i = 0; i < x->contacts; i++) s->turn[x->first[i]] -= s->deep[i], s->wall[i] = 0.0;
+    go_straight(s, 1.0);
+    s->tau = 0.0;
     return 0;
 }
 
@@ -44,7 +79,7 @@ HM_SELDOM static int begin_sweep(impact_path *s)
         s->speed[i] = fmax(0.0, -x->before[x->first[i]]);
         if (!(s->speed[i] > SWEEP_ROUND_OFF * fastest * root)) s->speed[i] = 0.0;
         s->live[i] = s->speed[i] > 0.0;
-        s->stuck[i] = 0;
+        s->stuck[i] = s->waits[i] = 0;
         s->retreat[i] = is_joint(x, i) ? 0.0 : s->live[i] ? s->speed[i] : fastest * root;
         approaches |= s->live[i];
         for (int32_t k = x->first[i]; k <= x->first[i] + x->tangents[i]; k++)
@@ -54,7 +89,7 @@ HM_SELDOM static int begin_sweep(impact_path *s)
     s->energy = 0.0;
     for (int32_t k = 0; k < x->rows; k++)
         if (x->W[(int64_t)k * (x->rows + 1)] > 0.0) s->energy = fmax(s->energy, hm_square(s->size[k]) / x->W[(int64_t)k * (x->rows + 1)]);
-    s->by_law = s->by_path = 0;
+    s->by_law = s->by_path = s->all_rise = 0;
     return approaches;
 }
 
@@ -72,7 +107,8 @@ HM_SELDOM static int sweep_on(impact_path *s)
     }
     if (!goes_on) return 1;
     const int found = find_rates(s);
-    if (found) return found > 0 ? 0 : -1;
+    if (found == GOES_AT_ONCE) return go_at_once(s);
+    if (found) return found == HAVE_ENDED ? 0 : -1;
     x->pieces++;
     for (int32_t i = 0; i < x->contacts; i++) s->wall[i] = wall_rate(s, i, is_active(s, i));
     rates_of_impulses(x, s->q, s->turn);
@@ -107,20 +143,11 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
 HM_SELDOM static double newton_impact(impact_path *s, double part)
 {
     hm_impact *x = s->x;
-    contact_problem all = {.contacts = x->contacts, .rows = x->rows, .first = x->first, .tangents = x->tangents, .coefficient = x->coefficient,
-                           .slides = s->slides, .way = s->way, .W = x->W, .b = s->gamma, .p = x->impulse, .rate = x->after, .scratch = x->scratch};
     double loss = 0.0;
     memcpy(s->gamma, x->before, sizeof(double) * (size_t)x->rows);
-    for (int32_t i = 0; i < x->contacts; i++) {
-        s->slides[i] = 0;
+    for (int32_t i = 0; i < x->contacts; i++)
         s->gamma[x->first[i]] += part * x->restitution[i] * fmin(x->before[x->first[i]], 0.0);
-    }
-    int presses = 0;
-    memset(x->impulse, 0, sizeof(double) * (size_t)x->rows);
-    press_joints(x, x->impulse);
-    do {
-        if (hm_solve_contacts(&all, LEAST_WORK)) return NAN;
-    } while (press_joints(x, x->impulse) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
+    if (impulses_at_once(s, x->impulse, x->after)) return NAN;
     rates_of_impulses(x, x->impulse, x->after);
     for (int32_t k = 0; k < x->rows; k++) {
         x->after[k] += x->before[k];

@@ -80,7 +80,7 @@ HM_SELDOM static int move_walls(impact_path *s, double h)
     int is_back = 0;
     if (h == fabs(s->tau) && s->way_sign * s->tau < 0.0) s->tau = 0.0;
     else s->tau += s->way_sign * h;
-    if (fabs(s->tau) < 1e-15) s->tau = 0.0;
+    if (fabs(s->tau) < SWEEP_ROUND_OFF) s->tau = 0.0; /* what slips stop with the walls has no order */
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const double way = h * s->wall[i];
         if (s->live[i]) s->deep[i] = 0.0;
@@ -88,6 +88,7 @@ HM_SELDOM static int move_walls(impact_path *s, double h)
         if (s->deep[i] > none_of_row(s, s->x->first[i])) continue;
         is_back |= s->deep[i] != 0.0 || (way > 0.0 && !s->live[i]);
         s->deep[i] = 0.0;
+        s->waits[i] = 0;
     }
     return is_back;
 }

@@ -81,7 +81,7 @@ HM_SELDOM static void rates_by_law(impact_path *s, double *gamma, double *q)
     pack_rates(s, 0.0);
     s->gamma = now;
     for (int32_t k = 0; k < s->x->rows; k++) q[k] = 0.0;
-    if (hm_solve_contacts(&s->rates, s->way_sign > 0.0 ? LEAST_WORK : MOST_WORK)) {
+    if (hm_solve_contacts(&s->rates, s->way_sign > 0.0 ? LEAST_WORK_IF_ANY : MOST_WORK)) {
         q[0] = NAN; /* no step ends here */
         return;
     }
@@ -103,14 +103,15 @@ HM_SELDOM static double size_of_rates(const impact_path *s, const double *q)
     return walls > 0.0 ? largest / walls : 0.0;
 }
 
-/* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less; below 0 where walls would have to
-   retreat.                                                                                                       */
+/* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less; below 0 where walls have to
+   turn back.                                                                                                     */
 HM_SELDOM static double rates_in_piece(impact_path *s, double *gamma, double *q)
 {
     if (s->by_law) rates_by_law(s, gamma, q);
     else rates_by_statuses(s, gamma, q);
+    s->pace = 1.0;
     if (!s->by_path) return 1.0;
-    const double pace = 1.0 / size_of_rates(s, q);
+    const double pace = s->pace = 1.0 / size_of_rates(s, q);
     for (int32_t k = 0; k < s->x->rows; k++) q[k] *= pace;
     return pace;
 }
@@ -179,7 +180,10 @@ HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, con
     const int32_t i = which / MARGINS, k = x->first[i], n = impact_slips(x, i);
     const double size = size_of_rates(s, q);
     switch (which % MARGINS) {
-    case MARGIN_PUSHES: return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) - 1e-14;
+    case MARGIN_PUSHES: {
+        const double turned = s->pace < 0.0 ? 2.0 * PAST_TURN : -1e-14; /* past the turn of the walls all that they alone push would pull */
+        return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) + turned;
+    }
     case MARGIN_CONE:
         if (s->on[i] == PUSHES_BEGINNING) return 1.0 - hm_length(n, gamma + k + 1) / (HAS_BEGUN * s->size[k + 1]);
         if (s->on[i] != PUSHES_STUCK || !n || s->by_law) return INFINITY;
@@ -243,11 +247,12 @@ static inline int slip_stops(const impact_path *s)
 
 enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60 };
 
-/* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it. */
+/* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it.
+   Returns the error of the step over what is allowed.                                                            */
 HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, double *end, double *gamma)
 {
     const int32_t n = s->x->rows + s->x->contacts + 2;
-    double *q = s->start;
+    double *q = s->start, error = 0.0;
     for (int32_t turn = 0; turn <= s->x->contacts && lost > -2; turn++, lost = margin_lost(s, end, gamma)) {
         double low = 0.0, high = h;
         rates_in_piece(s, gamma, q);
@@ -257,7 +262,7 @@ HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, dou
         double at_low = fmax(margin_in_piece(s, lost, end, s->gamma, q), 1e-15);
         for (int search = 0, side = 0; search < MOST_SEARCHES && high - low > 1e-15 * high; search++) {
             h = low + (high - low) * fmin(fmax(at_low / (at_low - at_high), 1e-9), 1.0 - 1e-9);
-            try_turning(s, h, end, gamma);
+            error = try_turning(s, h, end, gamma);
             rates_in_piece(s, gamma, q);
             const double margin = margin_in_piece(s, lost, end, gamma, q);
             if (fabs(margin) <= 1e-15) break;
@@ -272,7 +277,7 @@ HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, dou
             }
         }
     }
-    return h;
+    return error;
 }
 
 /* Follows a turning piece until an event; 0, or 1 if it does not get on. */
@@ -286,13 +291,13 @@ HM_SELDOM static int go_round(impact_path *s)
         s->by_path = 0;
         rates_in_piece(s, s->gamma, s->q);
         const double size = size_of_rates(s, s->q);
-        if (size > LARGE_RATES) {
+        if (fabs(size) > LARGE_RATES) {
             s->by_path = 1;
             rates_in_piece(s, s->gamma, s->q);
         }
         rates_of_impulses(x, s->q, s->turn);
         if (done > 0.0 && (slip_stops(s) || !slip_turns(s))) break;
-        const double rest = end_of_walls(s), unit = s->by_path ? 1.0 / size : 1.0; /* h is by the clock */
+        const double rest = end_of_walls(s), unit = s->by_path ? 1.0 / fabs(size) : 1.0; /* h is by the clock */
         h = fmin(fmin(h, rest), before_stops(s) * unit);
         if (!(h > 1e-16 * unit)) break;
         const double error = try_turning(s, h / unit, end, gamma);
@@ -301,7 +306,10 @@ HM_SELDOM static int go_round(impact_path *s)
             continue;
         }
         const int32_t lost = margin_lost(s, end, gamma);
-        if (lost > -2) end_of_piece(s, lost, h / unit, end, gamma);
+        if (lost > -2 && (!(end_of_piece(s, lost, h / unit, end, gamma) <= 1.0) || slip_lost(s, gamma))) {
+            h *= 0.25; /* what was lost may be an artefact of a stage behind the event */
+            continue;
+        }
         const double way = end[n - 1], pace = rates_in_piece(s, gamma, s->start);
         memcpy(s->q, end, sizeof(double) * (size_t)x->rows);
         grow_sizes(s, 1.0);
@@ -312,7 +320,7 @@ HM_SELDOM static int go_round(impact_path *s)
         const int at_rest = fabs(rest - way) <= 1e-14;
         const int is_back = move_walls(s, at_rest ? rest : way);
         done += h;
-        if (lost > -2 || at_rest || is_back || !(pace > 0.0)) break;
+        if (lost > -2 || at_rest || is_back || !(pace > -PAST_TURN)) break;
         h *= fmin(6.0, 0.9 * hm_pow(fmax(error, 1e-10), -0.125));
     }
     s->by_law = 0;

@@ -143,6 +143,8 @@ WHOLE_OF_CONTACTS: dict[str, tuple[Offer, ...]] = {
         "jams": "impacts in the last communication step that jammed by strong friction",
         "newton_impacts": "impacts in the last communication step by Newton's restitution, where "
         "the energetic law found no impulses",
+        "unpaid_impacts": "impacts in the last communication step of stepped contacts that give "
+        "back less or more than the half step took before them",
     }),
 }  # fmt: skip
 """Likewise where there are contacts, or friction of joints."""

@@ -172,9 +172,9 @@ def test_a_long_row_of_touching_balls_gives_back_what_it_has_taken(laws, e):
 # ------------------------------------------------------------------------------- the solver alone
 
 
-def far_apart() -> list[tuple[Array, Array, list[int], Array]]:
+def far_apart(seed: int) -> list[tuple[Array, Array, list[int], Array]]:
     """Return problems of masses far apart and strong friction, with up to five contacts."""
-    chance, found = np.random.default_rng(2), []
+    chance, found = np.random.default_rng(seed), []
     for _ in range(2000):
         count, size = chance.integers(2, 6), chance.integers(4, 8)
         tangents = chance.integers(0, 3, count).tolist()
@@ -187,16 +187,13 @@ def far_apart() -> list[tuple[Array, Array, list[int], Array]]:
     return found
 
 
-def test_masses_far_apart_and_strong_friction_obey_the_law(laws):
-    """Of 2000, 2 with friction of 2 in space are not solved: by a stepped step, in a scene."""
-    unsolved = 0
-    for W, b, tangents, mu in far_apart():
+@pytest.mark.parametrize("seed", [2, 3])
+def test_masses_far_apart_and_strong_friction_obey_the_law(laws, seed):
+    for W, b, tangents, mu in far_apart(seed):
         failed, p, rate, _ = laws.contacts(W, b, tangents, mu)
-        unsolved += failed
+        assert not failed
         size, k = np.abs(b) + np.abs(W) @ np.abs(p), 0
         for n, c in zip(tangents, mu, strict=True):
-            if failed:
-                break
             assert p[k] >= 0.0
             assert rate[k] >= -1e-9 * size[k]
             assert p[k] == 0.0 or rate[k] <= 1e-9 * size[k]
@@ -207,7 +204,6 @@ def test_masses_far_apart_and_strong_friction_obey_the_law(laws):
                 against = np.linalg.norm(slip) * force + c * p[k] * slip
                 assert np.linalg.norm(against) <= small * c * p[k]
             k += 1 + n
-    assert unsolved <= 2
 
 
 def test_of_several_solutions_the_one_of_least_work_counts(laws):
