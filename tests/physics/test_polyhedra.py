@@ -56,9 +56,8 @@ def test_boxes_that_hit_edge_to_edge_share_the_impulse_across_both_edges(mode, r
     below = [-(0.5 * s[1] - radius) * math.sqrt(2.0) - radius for s in sizes]
     places = [np.array([0.1, 0.0, 0.1 - below[0]]), np.array([0.0, 0.0, below[1]])]
     velocity = np.array([0.0, 0.0, -1.0])
-    names = ("a", "b")
     bodies = {
-        name: cuboid_body(*x) for name, *x in zip(names, masses, sizes, places, turns, strict=True)
+        name: cuboid_body(masses[k], sizes[k], places[k], turns[k]) for k, name in enumerate("ab")
     }
     bodies["a"]["velocity"] = velocity.tolist()
     contact = {
