@@ -34,6 +34,7 @@ SECTIONS = {
     "skips": "benchmarks.skips",
     "contact": "benchmarks.contact.section",
     "contact-scenes": "benchmarks.contact.scenes",
+    "contact-laws": "benchmarks.contact_laws.section",
 }
 """Module of each benchmark; its function `measure` takes an effort and returns a section."""
 

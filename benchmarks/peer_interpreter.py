@@ -51,17 +51,17 @@ class Packages:
         return "" if package in self.versions else "not installed"
 
 
-def packages_there(packages: Sequence[str]) -> Packages:
-    """Ask the interpreter for the versions of packages."""
+def packages_there(packages: Sequence[str], variable: str = VARIABLE) -> Packages:
+    """Ask the interpreter that a variable names for the versions of packages."""
     try:
-        versions = answer(["-c", ASK, *packages], patience=PATIENCE)
+        versions = answer(["-c", ASK, *packages], patience=PATIENCE, variable=variable)
     except InterpreterError as error:
         return Packages(failure=str(error))
     told = zip(packages, versions, strict=True)
     return Packages({package: version for package, version in told if version})
 
 
-def remarks(packages: Packages, codes: Mapping[str, str]) -> list[str]:
+def remarks(packages: Packages, codes: Mapping[str, str], variable: str = VARIABLE) -> list[str]:
     """A sentence about each code, given the names of their packages."""
     absences = [packages.absence(package) for package in codes.values()]
     sentences = [
@@ -69,7 +69,8 @@ def remarks(packages: Packages, codes: Mapping[str, str]) -> list[str]:
         for (code, package), absence in zip(codes.items(), absences, strict=True)
     ]
     if any(absences):
-        sentences.append(f"`{VARIABLE}` may name an interpreter that has the extra `benchmarks`.")
+        what = "the extra `benchmarks`" if variable == VARIABLE else " and ".join(codes)
+        sentences.append(f"`{variable}` may name an interpreter that has {what}.")
     return sentences
 
 
@@ -79,8 +80,11 @@ def answer(
     *,
     patience: float | None = None,
     environment: Mapping[str, str] | None = None,
+    variable: str = VARIABLE,
 ) -> Any:
     """Run Python with arguments and a request in JSON; what its last line says in JSON.
+
+    The interpreter is the one that the environment variable names, or else this one.
 
     Raises
     ------
@@ -89,7 +93,7 @@ def answer(
     """
     try:
         run = subprocess.run(
-            [os.environ.get(VARIABLE, sys.executable), *arguments],
+            [os.environ.get(variable, sys.executable), *arguments],
             input=json.dumps(request),
             capture_output=True,
             text=True,

@@ -110,7 +110,8 @@ def compile_kernel(root: Path) -> list[Path]:
         *(root / SLAVES).glob("native/_libraries/*/*"),
     }
     for other in others - {*found}:
-        other.unlink()  # of another platform and, it may be, of other sources
+        if other.is_file():  # of another platform and, it may be, of other sources
+            other.unlink()  # a folder is what an interrupted compiler left
     return found
 
 

@@ -8,18 +8,21 @@ from __future__ import annotations
 import functools
 import itertools
 import sys
+import tempfile
 import warnings
 from pathlib import Path
 
 import solver
 from solver.options import ORDERS
-from tests.hostile import models
+from tests.hostile import contacts, models
 from tests.kernel_calls import kernel_of
 from tests.scene_files import ALL
 from tests.twins import EVERYTHING
 
 DAMAGED = 20_000
 """Damaged models and states, each with a good checksum."""
+ODD = 2_000
+"""Scenes of odd contacts; ``make hostile`` asks what they do."""
 STEPS = 8
 
 SETTINGS: list[dict[str, str | float | bool]] = [{"order": order} for order in ORDERS]
@@ -77,6 +80,10 @@ def main(every: int) -> None:
     for number in range(DAMAGED // every):
         found = models.case("sanitized", number, Path())
         assert not found, (number, found)
+    with tempfile.TemporaryDirectory() as folder:
+        contacts.prepare(Path(folder))
+        for number in range(ODD // every):
+            contacts.case("sanitized", number, Path(folder))
     print(f"{ran} runs, of which {ended} ended with a sentence")
 
 

@@ -153,12 +153,13 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;
     const double start = head[S_TIME];
     if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_halves(&c);
+    const int moved = move_inputs(&c);
     int32_t status = start_inputs(&c, step);
     set_laws(&c, start, 0);
-    if (m->n_inputs) settle_sides(&c, start, 1); /* slopes tell where inputs go */
+    if (moved || move_inputs(&c)) settle_sides(&c, start, 1); /* slopes tell where inputs go */
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = head[S_SWITCHED] = 0.0;
-    head[S_JAMS] = head[S_NEWTON_IMPACTS] = 0.0;
+    head[S_JAMS] = head[S_NEWTON_IMPACTS] = head[S_MIXED_IMPACTS] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));

@@ -15,6 +15,7 @@
 #define RESTING 1e-10  /* speed over that of the mechanism                                               */
 #define NO_FORCE 1e-11 /* force over the largest normal force                                            */
 #define NO_GROWTH 1e-9 /* acceleration over the largest one                                              */
+#define GIVEN_BY_FORCE 1e-12 /* growth of a slip over what its force changes of it                             */
 #define TURNED 1e-9    /* change of a unit direction                                                         */
 #define PARTING 1e-5   /* likewise, of the gap of a contact that the event at hand has opened            */
 
@@ -127,23 +128,22 @@ HM_SELDOM static void guess_friction(context *c, int32_t f)
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }
 
-/* Whether contacts share forces otherwise than rows do. */
-static int has_shares(const context *c)
+/* Value at time t on the line through the means of the last steps. */
+static void extrapolate(const context *c, double t, int32_t n, const double *mean, const double *before, double *y)
 {
-    for (int32_t i = 0; i < n_contacts(c->m); i++)
-        if (contact_of(c, i)[C_SHARES] != 0.0) return 1;
-    return 0;
+    const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
+    double ahead = gap > 0.0 && gap < INFINITY ? (t - head[S_MEAN_TIME]) / gap : 0.0;
+    if (is_unilateral(c->m) && !(ahead <= FARTHEST)) ahead = 0.0; /* a short piece lies between the means */
+    for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
 }
 
-/* Adds to multipliers mu of half steps what their contacts share otherwise than rows do, see contact_split.h. */
+/* Whether what sticks shares forces otherwise than rows do. */
+static int has_shares(const context *c) { return c->s.head[S_SHARES] != 0.0; }
+
+/* Adds to multipliers mu of half steps what is shared otherwise than rows do, see contact_split.h. */
 static void add_shares(const context *c, double *mu)
 {
-    for (int32_t i = 0; i < n_contacts(c->m); i++) {
-        const int32_t f = c->m->contact_friction[i];
-        if (contact_of(c, i)[C_SHARES] == 0.0) continue;
-        mu[row_of(c, c->m->contact_row[i])] += contact_of(c, i)[C_SHIFT];
-        for (int k = 0; f >= 0 && k < n_slips(c, f); k++) mu[row_of(c, slip_row(c, f, k))] += friction_of(c, f)[F_SHIFT_1 + k];
-    }
+    for (int32_t i = 0; i < c->m->n_rows && has_shares(c); i++) mu[i] += c->s.shift[i];
 }
 
 /* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at hand; signal_rate is that
@@ -232,6 +232,35 @@ HM_SELDOM static int slide_worst(context *c, double none)
     friction_force(c, worst, c->k.event_mu, along);
     let_slide(c, worst, along);
     blame(c, slip_row(c, worst, 0));
+    return 1;
+}
+
+/* Of frictions that stick though their slip grows, the one whose slip does so fastest; -1: there is none. No force of its own stops it: the
+   mechanism is at a dead centre, where forces do not change the slip, or others contradict it. `along`, if wanted: the way in which it grows. */
+HM_SELDOM static int32_t torn_loose(const context *c, double *along)
+{
+    int32_t fastest = -1;
+    double most = growth_tolerance(c);
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        double growth[3], size2 = 0.0;
+        if (friction_mode(c, f) != FRICTION_STICKS) continue;
+        for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(growth[k] = second_rate_of_row(c, slip_row(c, f, k)));
+        const double size = sqrt(size2), sigma = c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))];
+        if (!(size > fmax(most, GIVEN_BY_FORCE * sigma * friction_force(c, f, c->k.event_mu, NULL)))) continue;
+        most = size, fastest = f;
+        for (int k = 0; k < n_slips(c, f) && along; k++) along[k] = growth[k] / size;
+    }
+    return fastest;
+}
+
+/* Lets that friction slide; 0 if there is none. */
+HM_SELDOM static int tear_loose(context *c)
+{
+    double along[3];
+    const int32_t f = torn_loose(c, along);
+    if (f < 0) return 0;
+    let_slide(c, f, along);
+    blame(c, slip_row(c, f, 0));
     return 1;
 }
 

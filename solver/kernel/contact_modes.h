@@ -8,27 +8,6 @@
 
 enum { MOST_TURNS = 100 };
 
-/* Changes modes one at a time until they agree with the forces, or with others that hold the same. */
-static int32_t agree_with_forces(context *c)
-{
-    const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
-    int together = 0; /* whether frictions were let slide that may hold when others do */
-    for (int change = 0, turns = 0; change < most; change++) {
-        forget_shares(c);
-        int32_t status = evaluate_forces(c);
-        const double none = force_tolerance(c);
-        if (status) return status;
-        enum togetherness how = HOLD;
-        if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
-        together |= how == GIVE_WAY;
-        if (how == GIVE_WAY || (how == NOT_TOGETHER && (open_worst(c, none) || slide_worst(c, none)))) continue;
-        if (turn_back(c) || close_worst(c) || (together && !c->gives_way && hold_still(c))) continue;
-        if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
-        change--;
-    }
-    return HOLONOM_CONTACT_UNDECIDED;
-}
-
 /* Momentum += factor times the gradient of contact i's gap, with the friction that a normal force of 1 brings about while
    it slides.                                                                                                   */
 static int32_t add_push(const context *c, int32_t i, double factor)
@@ -42,27 +21,37 @@ static int32_t add_push(const context *c, int32_t i, double factor)
     return status;
 }
 
-/* Guesses all modes at once: accelerations of contacts at rest, with forces for impulses, obey what contact_solver.h solves. */
-static int32_t guess_by_law(context *c)
+/* Finds all modes at once: accelerations of contacts at rest, with forces for impulses, obey what contact_solver.h solves. Those slide
+   and part that do so with these accelerations. With `begun`, frictions that have been let slide go on, along their way. */
+static int32_t find_modes_by_law(context *c, int begun)
 {
     const holonom_model *m = c->m;
     const int64_t n = DIM * c->n_moving;
     hit x;
     map_hit(c, &x);
+    int32_t *slides = (int32_t *)(void *)c->k.rest; /* of each contact; then the ways of rows */
+    double *way = c->k.rest + m->n_hit_rows;
+    memset(way, 0, sizeof(double) * (size_t)m->n_hit_rows);
     evaluate_state(c);
     for (int32_t i = 0; i < m->n_contacts; i++) {
-        const int32_t f = m->contact_friction[i];
+        const int32_t f = m->contact_friction[i], has_begun = begun && f >= 0 && friction_mode(c, f) == FRICTION_SLIDES;
+        double along[3];
+        for (int k = 0; f >= 0 && k < n_slips(c, f); k++) along[k] = friction_of(c, f)[F_ALONG_1 + k];
         open_contact(c, i);
         if (!is_at_rest(c, i)) continue;
-        const int slides = f >= 0 && (is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c));
+        const int moves = f >= 0 && (is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c));
         if (!add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
         const int32_t k = x.law.contacts - 1;
-        if (slides) { /* its friction follows from its normal force: add_push adds it */
+        slides[k] = 0;
+        if (moves) { /* its friction follows from its normal force: add_push adds it */
             x.law.rows = x.law.first[k] + 1;
             x.tangents[k] = 0;
             x.coefficient[k] = 0.0;
+        } else if (has_begun) {
+            slides[k] = 1;
+            for (int32_t a = 0; a < x.tangents[k]; a++) way[x.first[k] + 1 + a] = along[a];
         } else if (f >= 0)
-            x.coefficient[k] = c->number[m->static_at + f];
+            x.coefficient[k] = c->number[m->static_at + f] * (c->gives_way ? 1.0 - WELL_INSIDE : 1.0);
     }
     const int32_t rows = x.law.rows;
     int32_t status = evaluate_forces(c);
@@ -77,35 +66,55 @@ static int32_t guess_by_law(context *c)
         }
     if (!status) status = fill_matrix(c, rows, x.row, x.W);
     if (status) return status;
-    int32_t *slides = (int32_t *)(void *)c->k.hit_reach; /* done with; none slides */
-    double *way = x.law.after;
     contact_problem law = {.contacts = x.law.contacts, .rows = rows, .first = x.first, .tangents = x.tangents, .coefficient = x.coefficient,
                            .slides = slides, .way = way, .W = x.W, .b = x.before, .p = x.law.impulse, .rate = x.law.compression,
                            .scratch = c->k.hit_scratch};
-    memset(slides, 0, sizeof(int32_t) * (size_t)law.contacts);
-    memset(way, 0, sizeof(double) * (size_t)rows);
     if (hm_solve_contacts(&law, LEAST_WORK)) return HOLONOM_CONTACT_UNDECIDED;
     evaluate_state(c);
+    double largest = 0.0;
+    for (int32_t r = 0; r < rows; r++) largest = fmax(largest, fabs(law.b[r]));
     for (int32_t k = 0; k < law.contacts; k++) {
         const int32_t i = x.contact[k], f = m->contact_friction[i], t = x.first[k] + 1, slips = x.tangents[k];
-        if (!(law.p[t - 1] > 0.0)) continue;
+        if (law.rate[t - 1] > FITS * largest) continue;
         close_contact(c, i);
         if (f < 0 || slips == 0 || friction_mode(c, f) == FRICTION_OFF) continue;
-        const double force = hm_length(slips, law.p + t);
+        const double slip = hm_length(slips, law.rate + t);
         double along[3] = {0.0, 0.0, 0.0};
-        for (int32_t a = 0; a < slips && force > 0.0; a++) along[a] = -law.p[t + a] / force;
-        if (force > x.coefficient[k] * law.p[t - 1] * (1.0 - FITS)) let_slide(c, f, along);
+        for (int32_t a = 0; a < slips; a++) along[a] = slides[k] ? way[t + a] : slip > 0.0 ? law.rate[t + a] / slip : 0.0;
+        if (slides[k] || slip > FITS * largest) let_slide(c, f, along);
         else let_stick(c, f);
     }
     return HOLONOM_OK;
 }
 
-/* Lets contacts share forces where the multipliers of half steps to come are outside the cones. */
+/* Changes modes one at a time until they agree with the forces, or with others that hold the same. */
+static int32_t agree_with_forces(context *c)
+{
+    const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
+    int together = 0; /* whether frictions were let slide that may hold when others do */
+    for (int change = 0, turns = 0; change < most; change++) {
+        forget_shares(c);
+        int32_t status = evaluate_forces(c);
+        const double none = force_tolerance(c);
+        if (status) return status;
+        enum togetherness how = HOLD;
+        if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
+        if (how == GIVE_WAY && (status = find_modes_by_law(c, together))) return status;
+        together |= how >= GIVE_WAY;
+        if (how >= GIVE_WAY || (how == NOT_TOGETHER && (tear_loose(c) || open_worst(c, none) || slide_worst(c, none)))) continue;
+        if (turn_back(c) || close_worst(c) || (together && !c->gives_way && hold_still(c))) continue;
+        if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
+        change--;
+    }
+    return HOLONOM_CONTACT_UNDECIDED;
+}
+
+/* Lets what sticks share forces where the multipliers of half steps to come are outside the cones. */
 static int32_t share_means(context *c)
 {
     enum togetherness how;
     double load;
-    if (!c->m->n_contacts) return HOLONOM_OK;
+    forget_shares(c);
     memcpy(c->k.event_mu, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
     return is_beyond(c, CONE_MARGIN * largest_normal(c, c->s.mean)) ? hold_together(c, &how, &load) : HOLONOM_OK;
 }
@@ -116,7 +125,7 @@ static int32_t settle_modes(context *c)
     guess_modes(c);
     int32_t status = agree_with_forces(c);
     if (status == HOLONOM_CONTACT_UNDECIDED) {
-        status = guess_by_law(c);
+        status = find_modes_by_law(c, 0);
         if (!status) status = agree_with_forces(c);
     }
     if (!status) status = start_with_modes(c);

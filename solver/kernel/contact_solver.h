@@ -498,7 +498,7 @@ HM_SELDOM static void hm_share_impulses(const contact_problem *x)
         for (int32_t e = 0; e < count; e++) B[j * count + e] = s.change[e];
     }
     rest_split split = {.rows = count, .rank = rank, .first = first, .tangents = tangents, .coefficient = coefficient, .B = B, .g = g,
-                        .force = z, .dual = s.defect, .way = s.change, .defect = s.mu, .trial = s.slope + m, .matrix = s.matrix};
+                        .force = z, .base = s.slope + 2 * m, .dual = s.defect, .way = s.change, .defect = s.mu, .trial = s.slope + m, .matrix = s.matrix};
     for (int32_t i = 0; i < x->contacts; i++) {
         if (at[i] < 0) continue;
         first[split.contacts] = at[i];

@@ -1,113 +1,204 @@
-/* How contacts at rest share their forces. The multipliers of rows that hold the same thing twice are one split of many, and may
-   lie outside the cones while others do not: what sticks holds as long as there is one inside (rest_split.h).
+/* How contacts at rest and joints that rub share their forces. The multipliers of rows that hold the same thing twice are one split of
+   many, and may lie outside the cones while others do not: what sticks holds as long as there is one inside (rest_split.h).
 
-   W = G M^-1 G' of the rows of closed contacts that do not slide, reduced by the bilateral rows; all splits x of the forces p at hand
-   have W x = W p. With the factors W = L L', pivoted, these are as many equations L' x = L' p as W has rank.     */
+   Parts of a split are closed contacts, those that slide as rays (1, -c d), and frictions of joints that stick, inside the cone
+   |T| <= L of their limit L = c N + preload. With W = G M^-1 G' of their rows, reduced by the bilateral rows, all splits x of the
+   forces p at hand have the same accelerations, and limits that are linear in x while the forces that press keep
+   their directions. B has orthonormal rows that span those of these equations: B x = B p.                         */
 #ifndef HOLONOM_CONTACT_SPLIT_H
 #define HOLONOM_CONTACT_SPLIT_H
 
 #include "impact.h"
 #include "rest_split.h"
 
-#define SAME_ROW 1e-10   /* pivot of W with the diagonal 1 that counts as zero                                       */
+#define SAME_ROW 1e-10   /* pivot of rows of size 1 that counts as zero                                              */
 #define WELL_INSIDE 1e-7 /* of the coefficients: a split that is so far inside its cones if there is one stays inside as it is */
 #define SLIPS 1e-6       /* rate over the largest one that counts as a slip                                          */
 
-/* Vectors of a split over the scratch `rest`. */
+/* A split over the scratch `rest`. Its parts have rows, the units, and forces, the columns of the equations. */
 typedef struct shared_forces {
     rest_split split;
-    int32_t *contact, *row, *first, *tangents, *order;
-    double *matrix, *p, *weight, *coefficient, *g, *diagonal;
+    int32_t units, joints;  /* joints: parts that are frictions of joints                                          */
+    int32_t *contact;       /* of each part; of friction f of a joint -1 - f                                       */
+    int32_t *unit, *first, *tangents, *order;
+    int32_t *row;           /* composite of each unit                                                              */
+    double *ray;            /* of each unit: part of the force of its ray, 1 elsewhere                             */
+    double *W, *A, *B;      /* units x units; rows x equations; that of the split                                  */
+    double *limit;          /* of each part and unit: derivative of the limit of a joint                           */
+    double *p, *weight, *coefficient, *g, *head;
 } shared_forces;
 
 HM_SELDOM static shared_forces map_shared(const context *c)
 {
     const int64_t n = c->m->n_hit_rows;
-    double *d = c->k.rest;
-    int32_t *i = (int32_t *)(void *)(d + 2 * n * n + 10 * n);
-    shared_forces x = {.matrix = d, .p = d + 2 * n * n, .weight = d + 2 * n * n + n, .coefficient = d + 2 * n * n + 2 * n,
-                       .g = d + 2 * n * n + 3 * n, .diagonal = d + 2 * n * n + 4 * n, .contact = i, .row = i + n, .first = i + 2 * n,
-                       .tangents = i + 3 * n, .order = i + 4 * n};
-    x.split = (rest_split){.first = x.first, .tangents = x.tangents, .coefficient = x.coefficient, .B = c->k.hit_reach, .g = x.g,
-                           .force = d + 2 * n * n + 5 * n, .dual = d + 2 * n * n + 6 * n, .way = d + 2 * n * n + 7 * n,
-                           .defect = d + 2 * n * n + 8 * n, .trial = d + 2 * n * n + 9 * n, .matrix = d + n * n};
+    double *d = c->k.rest, *v = d + 5 * n * n;
+    int32_t *i = (int32_t *)(void *)(v + 13 * n);
+    shared_forces x = {.W = d, .A = d + n * n, .B = d + 3 * n * n, .limit = d + 2 * n * n, .p = v, .weight = v + 2 * n,
+                       .coefficient = v + 3 * n, .g = v + 4 * n, .head = v + 5 * n, .ray = v + 6 * n, .contact = i, .unit = i + n,
+                       .first = i + 2 * n, .tangents = i + 3 * n, .order = i + 4 * n, .row = i + 5 * n};
+    x.split = (rest_split){.first = x.first, .tangents = x.tangents, .coefficient = x.coefficient, .B = x.B, .g = x.g,
+                           .force = v + 7 * n, .dual = v + 8 * n, .way = v + 9 * n, .defect = v + 10 * n, .trial = v + 11 * n,
+                           .base = v + 12 * n, .matrix = d + 4 * n * n};
     return x;
 }
 
 static double sigma_of(const context *c, int32_t j) { return c->number[c->m->row_sigma_at + row_of(c, j)]; }
 
-/* Whether friction f of contact i holds, as far as it has a cone. */
+/* Whether friction f holds, as far as there is one. */
 static int is_stuck(const context *c, int32_t f) { return f >= 0 && friction_mode(c, f) == FRICTION_STICKS; }
 
-/* Collects the closed contacts that do not slide; 0 if they cannot share forces. */
-HM_SELDOM static int collect_shared(const context *c, shared_forces *x)
+/* Adds a part with its weight, coefficient and tangents, whose units follow. */
+HM_SELDOM static void add_part(shared_forces *x, int32_t contact, int32_t tangents, double weight, double coefficient)
 {
     rest_split *s = &x->split;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
-        const int32_t f = c->m->contact_friction[i], slips = is_stuck(c, f) ? n_slips(c, f) : 0;
-        if (!is_closed(c, i) || (f >= 0 && friction_mode(c, f) == FRICTION_SLIDES)) continue;
-        if (slips && (c->m->normal_ptr[f + 1] != c->m->normal_ptr[f] + 1 || c->number[c->m->preload_at + f] != 0.0)) return 0;
-        if (s->rows + 1 + slips > c->m->n_hit_rows) return 0;
-        x->contact[s->contacts] = i;
-        x->first[s->contacts] = s->rows;
-        x->tangents[s->contacts] = slips;
-        x->coefficient[s->contacts++] = slips ? c->number[c->m->static_at + f] : 0.0;
-        const double weight = sigma_of(c, c->m->contact_row[i]);
-        for (int k = 0; k <= slips; k++) {
-            x->weight[s->rows] = weight;
-            x->row[s->rows++] = k ? slip_row(c, f, k - 1) : c->m->contact_row[i];
-        }
-    }
-    return s->contacts > 1;
+    const int32_t k = s->contacts++;
+    x->contact[k] = contact;
+    x->unit[k] = x->units;
+    x->first[k] = s->rows;
+    x->tangents[k] = tangents;
+    x->coefficient[k] = coefficient;
+    for (int32_t l = 0; l <= tangents; l++) x->weight[s->rows++] = weight;
 }
 
-/* W in `matrix`, with all contacts open; w and modes stay as they are. */
+static void add_unit(shared_forces *x, int32_t row, double ray)
+{
+    x->ray[x->units] = ray;
+    x->row[x->units++] = row;
+}
+
+/* Collects closed contacts and frictions of joints that stick; 0 if they cannot share forces. */
+HM_SELDOM static int collect_shared(const context *c, shared_forces *x)
+{
+    const holonom_model *m = c->m;
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        const int32_t f = m->contact_friction[i], mode = f >= 0 ? friction_mode(c, f) : FRICTION_OFF;
+        const int32_t slips = mode == FRICTION_OFF ? 0 : n_slips(c, f), slides = mode == FRICTION_SLIDES;
+        double size2 = 1.0;
+        if (!is_closed(c, i)) continue;
+        if (slips && (m->normal_ptr[f + 1] != m->normal_ptr[f] + 1 || c->number[m->preload_at + f] != 0.0)) return 0;
+        if (x->units + 1 + slips > m->n_hit_rows) return 0;
+        const double along = slides ? -c->number[m->sliding_at + f] : 1.0, *way = f >= 0 ? friction_of(c, f) + F_ALONG_1 : NULL;
+        for (int k = 0; k < slips && slides; k++) size2 += hm_square(along * way[k]);
+        add_part(x, i, slides ? 0 : slips, size2 * sigma_of(c, m->contact_row[i]), mode == FRICTION_STICKS ? c->number[m->static_at + f] : 0.0);
+        add_unit(x, m->contact_row[i], 1.0);
+        for (int k = 0; k < slips; k++) add_unit(x, slip_row(c, f, k), slides ? along * way[k] : 1.0);
+    }
+    for (int32_t f = 0; f < m->n_frictions; f++) {
+        const int32_t slips = n_slips(c, f);
+        if (is_of_contact(c, f) || !is_stuck(c, f)) continue;
+        if (x->units + x->joints + 1 + slips > m->n_hit_rows) return 0;
+        add_part(x, -1 - f, slips, sigma_of(c, slip_row(c, f, 0)), 1.0);
+        for (int k = 0; k < slips; k++) add_unit(x, slip_row(c, f, k), 1.0);
+        x->joints++;
+    }
+    return x->split.contacts > 1;
+}
+
+/* What the limit of friction f, less its preload, is with multipliers mu if the forces that press have the directions of
+   those in rest_mu: no more than it is. */
+HM_SELDOM static double limit_along(const context *c, int32_t f, const double *mu)
+{
+    const holonom_model *m = c->m;
+    double sum = 0.0, root = 0.0;
+    for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1]; at++) {
+        const int32_t row = m->normal_row[2 * at], how = m->normal_row[2 * at + 1];
+        if (how == NORMAL_BEGINS) sum_of_squares(c, f, at, c->k.rest_mu, &root);
+        sum += how == NORMAL_PUSHES ? -mu[row] : root > 0.0 ? c->k.rest_mu[row] / root * mu[row] : 0.0;
+    }
+    return c->number[m->static_at + f] * sum;
+}
+
+/* W, and what units do to limits. What shares its forces is off, w and modes are to be put back. */
 HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
 {
-    const int64_t n = DIM * c->n_moving;
-    const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
-    double *kept = c->k.rest_modes, *w = kept + C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions;
-    memcpy(kept, c->s.contacts, modes);
-    memcpy(w, c->k.w, sizeof(double) * (size_t)n);
+    const int32_t n = x->units;
     for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
+    for (int32_t k = 0; k < x->split.contacts; k++)
+        if (x->contact[k] < 0) friction_of(c, -1 - x->contact[k])[F_MODE] = FRICTION_OFF;
     stand_still(c);
+    c->cone_mu = c->k.event_mu;
     int32_t status = factorise_at_state(c, NULL);
-    for (int32_t r = 0; r < x->split.rows && !status; r++) status = find_reach(c, x->row[r], r);
-    if (!status) status = fill_matrix(c, x->split.rows, x->row, x->matrix);
-    memcpy(c->s.contacts, kept, modes);
-    memcpy(c->k.w, w, sizeof(double) * (size_t)n);
+    c->cone_mu = c->k.mu;
+    for (int32_t u = 0; u < n && !status; u++) {
+        status = find_reach(c, x->row[u], u);
+        for (int32_t k = 0; k < x->split.contacts && x->joints; k++)
+            x->limit[n * k + u] = x->contact[k] < 0 ? limit_along(c, -1 - x->contact[k], c->k.mu) : 0.0;
+    }
+    if (!status) status = fill_matrix(c, n, x->row, x->W);
+    for (int32_t u = 0; u < n && !status; u++) {
+        if (x->W[(n + 1) * u] > HELD * stiffness_alone(c, x->row[u])) continue;
+        for (int32_t v = 0; v < n; v++) x->W[n * u + v] = x->W[n * v + u] = 0.0;
+    }
     return status;
 }
 
-/* Factors W = L L' by rows with pivots: B = L', g = L' p over its size, which it returns. */
-HM_SELDOM static double equations_of_split(const context *c, shared_forces *x)
+/* What the force of column l of part k does to a row of values of units. */
+static double sum_of_column(const shared_forces *x, int32_t k, int32_t l, const double *value)
 {
-    rest_split *s = &x->split;
-    const int32_t n = s->rows;
-    double *W = x->matrix, *B = c->k.hit_reach, size2 = 0.0;
-    for (int32_t k = 0; k < n; k++) x->diagonal[k] = W[n * k + k], x->order[k] = 0;
-    s->rank = 0;
-    for (int32_t step = 0; step < n; step++) {
-        int32_t pivot = -1;
-        double most = SAME_ROW;
-        for (int32_t k = 0; k < n; k++) {
-            const double left = x->order[k] ? 0.0 : x->diagonal[k] / W[n * k + k];
-            if (left > most) most = left, pivot = k;
+    const int32_t unit = x->unit[k];
+    if (x->contact[k] < 0) return l ? value[unit + l - 1] : 0.0;
+    if (x->tangents[k]) return value[unit + l];
+    const int32_t end = k + 1 < x->split.contacts ? x->unit[k + 1] : x->units;
+    double sum = 0.0;
+    for (int32_t u = unit; u < end; u++) sum += x->ray[u] * value[u];
+    return sum;
+}
+
+/* Forces of parts (x->p, overwritten), times the roots of their weights, of multipliers mu. */
+HM_SELDOM static void take_forces(const context *c, const shared_forces *x, const double *mu)
+{
+    for (int32_t k = 0; k < x->split.contacts; k++) {
+        const int32_t f = -1 - x->contact[k], is_joint = f >= 0;
+        for (int32_t l = 0; l <= x->tangents[k]; l++) {
+            const int32_t at = x->first[k] + l;
+            const double force = is_joint && !l ? limit_along(c, f, mu) + c->number[c->m->preload_at + f] : -mu[row_of(c, x->row[x->unit[k] + l - is_joint])];
+            x->p[at] = sqrt(x->weight[at]) * force;
         }
-        if (pivot < 0) break;
-        double *line = B + n * s->rank, root = sqrt(x->diagonal[pivot]);
-        for (int32_t k = 0; k < n; k++) {
-            line[k] = 0.5 * (W[n * pivot + k] + W[n * k + pivot]);
-            for (int32_t a = 0; a < s->rank; a++) line[k] -= B[n * a + pivot] * B[n * a + k];
-            line[k] = x->order[k] ? 0.0 : line[k] / root;
-            x->diagonal[k] -= line[k] * line[k];
-        }
-        x->order[pivot] = 1;
-        s->rank++;
     }
+}
+
+/* Equation e of the parts, of size 1: no other acceleration along a unit, or the limit of a joint (part k). The rows of what
+   others hold are 0. */
+HM_SELDOM static void add_equation(const shared_forces *x, int32_t e, int32_t equations, int32_t k)
+{
+    const rest_split *s = &x->split;
+    const double *value = e < x->units ? x->W + x->units * e : x->limit + x->units * k;
+    double size2 = 0.0;
+    for (int32_t j = 0; j < s->contacts; j++)
+        for (int32_t l = 0; l <= x->tangents[j]; l++) {
+            const int32_t column = x->first[j] + l;
+            double sum = sum_of_column(x, j, l, value);
+            if (e >= x->units) sum = (j == k && !l) - sum;
+            x->A[equations * column + e] = sum /= sqrt(x->weight[column]);
+            size2 += sum * sum;
+        }
+    for (int32_t column = 0; column < s->rows; column++) x->A[equations * column + e] /= size2 > 0.0 ? sqrt(size2) : 1.0;
+}
+
+HM_SELDOM static void equations_of_split(const shared_forces *x, rest_split *s)
+{
+    const int32_t n = s->rows, equations = x->units + x->joints;
+    double *line = s->way;
+    for (int32_t e = 0; e < x->units; e++) add_equation(x, e, equations, -1);
+    for (int32_t k = 0, e = x->units; k < s->contacts; k++)
+        if (x->contact[k] < 0) add_equation(x, e++, equations, k);
+    s->rank = hm_triangulate(n, equations, x->A, x->head, x->order, SAME_ROW);
+    for (int32_t k = 0; k < s->rank; k++) {
+        for (int32_t l = 0; l < n; l++) line[l] = l == k ? 1.0 : 0.0;
+        hm_reflect(n, equations, s->rank, x->A, x->head, 1, line);
+        for (int32_t l = 0; l < n; l++) x->B[n * k + l] = line[l];
+    }
+}
+
+/* Forces p of multipliers mu, and g = B p over its size, which it returns. */
+HM_SELDOM static double forces_to_split(const context *c, const shared_forces *x, const double *mu)
+{
+    const rest_split *s = &x->split;
+    double size2 = 0.0;
+    take_forces(c, x, mu);
     for (int32_t k = 0; k < s->rank; k++) {
         x->g[k] = 0.0;
-        for (int32_t l = 0; l < n; l++) x->g[k] += B[n * k + l] * x->p[l];
+        for (int32_t l = 0; l < s->rows; l++) x->g[k] += s->B[s->rows * k + l] * x->p[l];
         size2 += x->g[k] * x->g[k];
     }
     const double size = sqrt(size2);
@@ -115,56 +206,83 @@ HM_SELDOM static double equations_of_split(const context *c, shared_forces *x)
     return size;
 }
 
-/* Forces p (overwritten) of the split without cones, over its size, that steps have: the least one by the scales of the rows, as regularised rows
-   yield. Then B of the split with cones, by one scale a contact, with which its cone is as round as it was. */
-HM_SELDOM static void split_of_rows(const context *c, const shared_forces *x)
-{
-    const rest_split *s = &x->split;
-    const int32_t n = s->rows;
-    double *B = c->k.hit_reach;
-    for (int32_t k = 0; k < s->rank; k++) {
-        s->way[k] = x->g[k];
-        for (int32_t j = 0; j <= k; j++) {
-            double sum = 0.0;
-            for (int32_t l = 0; l < n; l++) sum += B[n * k + l] * B[n * j + l] / sigma_of(c, x->row[l]);
-            s->matrix[s->rank * k + j] = sum;
-        }
-    }
-    solve_definite(s->rank, s->matrix, s->way);
-    for (int32_t l = 0; l < n; l++) {
-        double sum = 0.0;
-        for (int32_t k = 0; k < s->rank; k++) sum += B[n * k + l] * s->way[k];
-        x->p[l] = sum / sigma_of(c, x->row[l]);
-    }
-    for (int32_t k = 0; k < s->rank; k++)
-        for (int32_t l = 0; l < n; l++) B[n * k + l] /= sqrt(x->weight[l]);
-}
-
 HM_SELDOM static void forget_shares(const context *c)
 {
-    for (int32_t i = 0; i < c->m->n_contacts; i++) contact_of(c, i)[C_SHARES] = contact_of(c, i)[C_SHIFT] = 0.0;
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
-        for (int k = 0; k < 3; k++) friction_of(c, f)[F_SHIFT_1 + k] = 0.0;
+    if (!has_shares(c)) return;
+    c->s.head[S_SHARES] = 0.0;
+    memset(c->s.shift, 0, sizeof(double) * (size_t)c->m->n_rows);
 }
 
-/* Lets contacts share forces as `split` says, of that size, in event_mu; p are those by their rows. */
-HM_SELDOM static void share_forces(const context *c, const shared_forces *x, double size)
+/* Adds to mu what the split at hand, of forces of this size, changes of p, and of bilateral rows, too. */
+HM_SELDOM static int32_t add_reshare(const context *c, const shared_forces *x, double size, double *mu)
 {
-    for (int32_t k = 0; k < x->split.contacts; k++) {
-        const int32_t i = x->contact[k], f = c->m->contact_friction[i];
-        contact_of(c, i)[C_SHARES] = 1.0;
-        for (int32_t l = 0; l <= x->tangents[k]; l++) {
-            const int32_t at = x->first[k] + l, row = row_of(c, x->row[at]);
-            const double force = size * x->split.force[at] / sqrt(x->weight[at]);
-            *(l ? friction_of(c, f) + F_SHIFT_1 + l - 1 : contact_of(c, i) + C_SHIFT) = size * x->p[at] - force;
-            c->k.event_mu[row] = -force;
+    const rest_split *s = &x->split;
+    int32_t status = HOLONOM_OK;
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t k = 0; k < s->contacts; k++) {
+        const int32_t is_joint = x->contact[k] < 0, end = k + 1 < s->contacts ? x->unit[k + 1] : x->units;
+        for (int32_t u = x->unit[k]; u < end && !status; u++) {
+            const int32_t at = x->first[k] + (x->tangents[k] ? u - x->unit[k] + is_joint : 0);
+            const double force = x->ray[u] * (size * s->force[at] - x->p[at]) / sqrt(x->weight[at]);
+            mu[row_of(c, x->row[u])] -= force;
+            status = add_row_gradient(c, x->row[u], -AT_STATE * force);
         }
     }
+    if (status) return status;
+    velocities_of_impulses(c, c->k.hit_reach);
+    for (int32_t i = 0; i < c->m->n_rows; i++) mu[i] += c->k.mu[i];
+    return HOLONOM_OK;
 }
 
-/* Lets frictions of contacts that do not hold slide, all that have a slip in the motion that the unbounded dual is: with y for
-   velocities, and rates B'y, the forces at hand do more work than any inside the cones. Returns whether there is one. */
-HM_SELDOM static int slide_together(context *c, const shared_forces *x)
+/* Whether there is a split, that of well inside the cones if there is one. */
+HM_SELDOM static int is_held_together(const context *c, const rest_split *s)
+{
+    return has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN));
+}
+
+/* Lets half steps to come share forces as a split of those that the means of multipliers tell, if it is there. */
+HM_SELDOM static int32_t share_forces(context *c, const shared_forces *x)
+{
+    const int32_t n = c->m->n_rows;
+    forget_shares(c);
+    extrapolate(c, c->t, n, c->s.mean, c->s.mean_before, c->k.rest_mean);
+    const double size = forces_to_split(c, x, c->k.rest_mean);
+    if (!(size > 0.0) || !is_held_together(c, &x->split)) return HOLONOM_OK;
+    c->s.head[S_SHARES] = 1.0;
+    return add_reshare(c, x, size, c->s.shift);
+}
+
+#define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
+#define LOAD_ACCURACY 1e-12
+#define FAR_BELOW 0.99     /* load factors below, which no event is near to, need no more than FEW_DIGITS             */
+#define FEW_DIGITS 1e-2
+
+/* Least factor of all coefficients with which there is a split, or infinity. */
+static double load_factor(const rest_split *s)
+{
+    double low = 0.0, high = 1.0;
+    for (; !has_split(s, high); high *= 2.0)
+        if (high > LARGEST_LOAD) return INFINITY;
+        else low = high;
+    while (high - low > (high < FAR_BELOW ? FEW_DIGITS : LOAD_ACCURACY) * high) {
+        const double middle = 0.5 * (low + high);
+        if (has_split(s, middle)) high = middle;
+        else low = middle;
+    }
+    return high;
+}
+
+/* What parts that hold something twice do, whose multipliers are not all inside the cones. */
+enum togetherness {
+    NOT_TOGETHER, /* they hold nothing twice, or no forces inside cones of any width do                        */
+    HOLD,         /* by forces inside the cones, which they share now                                          */
+    GIVE_WAY,     /* there are none                                                                             */
+    LET_SLIDE     /* likewise, and joints among them have been let slide                                        */
+};
+
+/* Lets frictions slide that slip in the motion that the dual without bound is, with y for velocities and rates B'y: in it the
+   forces at hand do more work than any inside the cones. Returns whether there is one. */
+HM_SELDOM static int slip_together(context *c, const shared_forces *x)
 {
     const rest_split *s = &x->split;
     double largest = 0.0;
@@ -174,69 +292,70 @@ HM_SELDOM static int slide_together(context *c, const shared_forces *x)
         for (int32_t k = 0; k < s->rank; k++) x->p[l] += s->B[s->rows * k + l] * s->dual[k];
         largest = fmax(largest, fabs(x->p[l]));
     }
-    for (int32_t i = 0; i < s->contacts; i++) {
-        const double *rate = x->p + x->first[i];
-        double size2 = 0.0, along[3] = {0.0, 0.0, 0.0};
-        for (int32_t l = 1; l <= x->tangents[i]; l++) size2 += rate[l] * rate[l];
-        const double size = sqrt(size2);
+    for (int32_t k = 0; k < s->contacts; k++) {
+        const double *rate = x->p + x->first[k];
+        const double size = x->tangents[k] ? hm_length(x->tangents[k], rate + 1) : 0.0;
+        double along[3] = {0.0, 0.0, 0.0};
         if (!(size > SLIPS * largest)) continue;
-        for (int32_t l = 1; l <= x->tangents[i]; l++) along[l - 1] = -rate[l] / size;
-        let_slide(c, c->m->contact_friction[x->contact[i]], along);
-        blame(c, x->row[x->first[i] + 1]);
+        for (int32_t l = 1; l <= x->tangents[k]; l++) along[l - 1] = -rate[l] / size;
+        let_slide(c, x->contact[k] < 0 ? -1 - x->contact[k] : c->m->contact_friction[x->contact[k]], along);
         slides = 1;
     }
     return slides;
 }
 
-#define LARGEST_LOAD 1e3   /* load factors above count as none: no friction holds                                   */
-#define LOAD_ACCURACY 1e-12
+enum { MOST_DIRECTIONS = 20 }; /* of the forces that press joints, in turn */
 
-/* Least factor of all coefficients with which there is a split, or infinity. */
-static double load_factor(const rest_split *s)
+/* Likewise, see hold_together, with what shares its forces off. Forces that press joints turn as they are shared, which a split with
+   a least factor of the coefficients tells: with their new directions limits are no less than before. */
+HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togetherness *how, double *load)
 {
-    double low = 0.0, high = 1.0;
-    for (; !has_split(s, high); high *= 2.0)
-        if (high > LARGEST_LOAD) return INFINITY;
-        else low = high;
-    while (high - low > LOAD_ACCURACY * high) {
-        const double middle = 0.5 * (low + high);
-        if (has_split(s, middle)) high = middle;
-        else low = middle;
+    rest_split *s = &x->split;
+    const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
+    double size, least = INFINITY, before;
+    int inside;
+    memcpy(c->k.rest_mu, c->k.event_mu, rows);
+    for (int time = 0;; time++) {
+        int32_t status = fill_shared(c, x);
+        if (status) return status;
+        equations_of_split(x, s);
+        size = forces_to_split(c, x, c->k.event_mu);
+        if (s->rank == s->rows || !(size > 0.0)) return HOLONOM_OK;
+        before = least;
+        if (load) least = load_factor(s);
+        inside = load ? least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
+        if (inside || !x->joints || time == MOST_DIRECTIONS) break;
+        if (!load) least = load_factor(s);
+        if (!(least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, least)) break;
+        memcpy(c->k.rest_mu, c->k.event_mu, rows);
+        if ((status = add_reshare(c, x, size, c->k.rest_mu))) return status;
     }
-    return high;
+    if (load) *load = least;
+    *how = inside ? HOLD : load && !(least < INFINITY) ? NOT_TOGETHER : GIVE_WAY;
+    if (is_held_together(c, s) && inside) {
+        const int32_t status = add_reshare(c, x, size, c->k.event_mu);
+        return status ? status : share_forces(c, x);
+    }
+    return HOLONOM_OK; /* the dual that is left tells what slips */
 }
 
-/* What contacts that hold something twice do, whose multipliers are not all inside the cones. */
-enum togetherness {
-    NOT_TOGETHER, /* they hold nothing twice, or no forces inside cones of any width do                        */
-    HOLD,         /* by forces inside the cones, which they share now                                          */
-    GIVE_WAY      /* there are none                                                                             */
-};
-
-/* Finds out, of closed contacts that do not slide, with the multipliers in event_mu. `load`, if wanted, is the least factor of all
-   coefficients with which they would hold; else those slide that give way. */
+/* Finds out, of closed contacts and joints that rub, with the multipliers in event_mu. `load`, if wanted, is the least factor of all
+   coefficients with which they would hold; else frictions of joints slide that give way. */
 HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, double *load)
 {
+    const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
+    const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
+    double *kept = c->k.rest_modes, *w = kept + C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions;
     shared_forces x = map_shared(c);
-    rest_split *s = &x.split;
     *how = NOT_TOGETHER;
-    if (!collect_shared(c, &x)) return HOLONOM_OK;
-    for (int32_t r = 0; r < s->rows; r++) x.p[r] = -c->k.event_mu[row_of(c, x.row[r])];
-    const int32_t status = fill_shared(c, &x);
-    if (status) return status;
-    const double size = equations_of_split(c, &x);
-    if (s->rank == s->rows || !(size > 0.0)) return HOLONOM_OK;
-    split_of_rows(c, &x);
-    if (load) *load = load_factor(s);
-    if (load && *load > 1.0 + CONE_MARGIN) {
-        *how = *load < INFINITY ? GIVE_WAY : NOT_TOGETHER;
-        return HOLONOM_OK;
-    }
-    if (has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN))) {
-        *how = HOLD;
-        share_forces(c, &x, size);
-    } else if (!load && slide_together(c, &x)) *how = GIVE_WAY;
-    return HOLONOM_OK;
+    if (!collect_shared(c, &x) || torn_loose(c, NULL) >= 0) return HOLONOM_OK; /* forces at hand do not hold: no others with the same sum do */
+    memcpy(kept, c->s.contacts, modes);
+    memcpy(w, c->k.w, n);
+    const int32_t status = try_together(c, &x, how, load);
+    memcpy(c->s.contacts, kept, modes);
+    memcpy(c->k.w, w, n);
+    if (!status && *how == GIVE_WAY && !load && x.joints) *how = slip_together(c, &x) ? LET_SLIDE : NOT_TOGETHER;
+    return status;
 }
 
 #endif

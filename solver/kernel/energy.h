@@ -117,9 +117,10 @@ static double function_rate(const context *c, int32_t j, const double *x, const 
         r->r1[l] = r->r0[l];
         r->dr[l] = 0.0;
     }
-    const int32_t last = run_function(c, j);
-    double rate = j >= first_velocity_row(c) ? r->r0[last] : 0.0;
-    for (int32_t l = 0; l < n && j < first_velocity_row(c); l++) rate += r->adjoint[l] * change[l];
+    if (j >= first_velocity_row(c)) return value_of_leaves(c, j);
+    double rate = 0.0;
+    run_function(c, j);
+    for (int32_t l = 0; l < n; l++) rate += r->adjoint[l] * change[l];
     return rate;
 }
 

@@ -7,6 +7,7 @@
 #define HOLONOM_EVENT_H
 
 #include "contact_modes.h"
+#include "force_dips.h"
 #include "short_piece.h"
 
 /* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
@@ -49,30 +50,34 @@ static double slip_along(const context *c, int32_t f)
     return sum;
 }
 
-/* Where contacts hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1 less the
-   least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
+/* Where contacts and joints hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1
+   less the least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
 #define SURELY 1e-3 /* of the largest normal force: a function that does not become 0                                 */
 
 HM_SELDOM static void value_together(context *c, event_values x, double load)
 {
+    const int32_t n = c->m->n_contacts;
     const double largest = SURELY * largest_normal(c, c->k.event_mu);
     c->together = 1;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
-        const int32_t f = c->m->contact_friction[i], k = c->m->n_contacts + f;
-        if (!is_closed(c, i) || (f >= 0 && friction_mode(c, f) == FRICTION_SLIDES)) continue;
-        x.value[i] = fmax(x.value[i], largest);
-        if (is_stuck(c, f)) x.value[k] = (1.0 + CONE_MARGIN - load) * fmax(cone(c, f, 0, normal_force(c, f, c->k.event_mu)), largest);
+    for (int32_t i = 0; i < n; i++)
+        if (is_closed(c, i)) x.value[i] = fmax(x.value[i], largest);
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (!is_stuck(c, f)) continue;
+        const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
+        x.value[n + f] = (1.0 + CONE_MARGIN - load) * (is_of_contact(c, f) ? fmax(limit, largest) : limit);
     }
 }
 
-/* Whether the forces that contacts share have left their cones, by more than rounding. */
+/* Whether the forces that are shared have left their cones, by more than rounding. */
 HM_SELDOM static int is_outside(const context *c)
 {
     const double none = CONE_MARGIN * largest_normal(c, c->k.event_mu);
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_closed(c, i) && normal_of(c, i) < -none) return 1;
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
-        if (friction_mode(c, f) == FRICTION_STICKS && excess_of(c, f) > none) return 1;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (!is_stuck(c, f)) continue;
+        if (excess_of(c, f) > (is_of_contact(c, f) ? none : CONE_MARGIN * cone(c, f, 0, normal_force(c, f, c->k.event_mu)))) return 1;
+    }
     return 0;
 }
 
@@ -93,7 +98,7 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
         if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, c->k.event_mu, NULL);
         if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
     }
-    if (status || !has_closed(c)) return status;
+    if (status || !has_forces(c)) return status;
     double load = INFINITY;
     enum togetherness how = NOT_TOGETHER;
     if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
@@ -117,8 +122,8 @@ static double largest_square(const context *c, const double *x)
 /* Speed of the fastest node; no gap grows much faster. */
 static double fastest_node(const context *c) { return sqrt(largest_square(c, c->s.v)); }
 
-/* A normal force above this part of its mean, and a friction that leaves this part of its cone, change no mode in the piece:
-   forces at the state need not be evaluated.                                                                    */
+/* A normal force above this part of its mean and of what it was at the start of the piece, and a friction that leaves this part of
+   its cone, change no mode in the piece: forces at the state need not be evaluated. */
 #define SAFE_NORMAL 0.3
 #define SAFE_FRICTION 0.2
 /* Likewise gaps farther than this many times the way of the fastest node, and slips larger than this many times their own
@@ -132,6 +137,22 @@ static int forces_stand_still(const context *c)
     for (int32_t i = 0; i < c->m->n_rows; i++)
         if (!(fabs(c->s.mean[i] - c->s.mean_before[i]) <= none)) return 0;
     return 1;
+}
+
+/* Where in a piece of length h from time t a force falls below the part of its larger value at both ends that is safe, and that of which
+   function (`which`) falls deepest; 0 if none does. */
+static double find_dip(const context *c, double t, double h, event_values low, event_values high, int32_t *which)
+{
+    double deepest = SAFE_NORMAL, place = 0.0;
+    if (has_shares(c)) return 0.0; /* no force of theirs vanishes by itself */
+    for (int32_t k = 0; k < c->m->n_contacts + c->m->n_frictions; k++) {
+        const int is_on = k < c->m->n_contacts ? is_closed(c, k) : friction_mode(c, k - c->m->n_contacts) == FRICTION_STICKS;
+        if (!is_on) continue;
+        double y[3] = {low.value[k], NAN, high.value[k]};
+        const double largest = fmax(y[0], y[2]), lowest = lowest_margin(c, k, t, h, y);
+        if (lowest == lowest && y[1] < deepest * largest) deepest = y[1] / largest, place = lowest, *which = k;
+    }
+    return place;
 }
 
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
@@ -148,14 +169,14 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
         c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
     const int rests = has_shares(c);
     if (rests) add_shares(c, c->k.event_mu);
-    c->outside = has_closed(c) && is_outside(c);
+    c->outside = has_forces(c) && is_outside(c);
     if (c->outside || (rests && !forces_stand_still(c))) return 0;
     for (int32_t i = 0; i < m->n_contacts; i++) {
         x.rate[i] = NAN;
         if (is_closed(c, i)) {
             const double mean = -c->s.mean[row_of(c, m->contact_row[i])];
             x.value[i] = normal_of(c, i);
-            if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * mean)) return 0;
+            if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i]))) return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
     }
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
@@ -172,7 +193,8 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
             if (!(x.value[k] > change && low.value[k] > change)) return 0;
         }
     }
-    return 1;
+    int32_t which;
+    return find_dip(c, c->t - h, h, low, x, &which) == 0.0;
 }
 
 /* Values of function k from minus this to this count as zero. */
@@ -261,8 +283,11 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
             const double root = root_between(c, k, width, low, high);
             if (root < first) first = root, which = k;
         }
+        if (which < 0 && trial == 0 && (first = find_dip(c, t, h, low, high, &which)) == 0.0) return HOLONOM_OK;
+        /* What a trial showed at `end` counts as 0 by the forces at `begin`. */
+        const int is_end = which < 0 && end < h;
+        if (is_end) first = width, which = c->event;
         c->event = which;
-        if (which < 0 && trial == 0) return HOLONOM_OK;
         if (which < 0) { /* it only came close */
             *covered = h;
             undo_piece(c, t, law_time);
@@ -279,7 +304,7 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
         if (status) return status;
         int is_late = 0;
         for (int32_t k = 0; k < n; k++) is_late |= at.value[k] < -value_tolerance(c, k);
-        if (at.value[which] <= value_tolerance(c, which) && !is_late) return HOLONOM_OK;
+        if (is_end || (at.value[which] <= value_tolerance(c, which) && !is_late)) return HOLONOM_OK;
         if (width <= 2.0 * least) return HOLONOM_OK;
         copy_values(c, at, is_late ? high : low);
         if (is_late) end = *covered;
@@ -291,6 +316,29 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
 static int has_ended(const context *c, int32_t k)
 {
     return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k);
+}
+
+#define FAR_MORE 100.0
+
+/* Lets friction f stick, whose slip has ended, and takes what is left of it: slips have the rates that a step leaves of its rows. At a
+   dead centre, where the mechanism hardly slips however fast it moves, that would take much of its energy, far more than
+   frictions do at their cones in the time that the slip has left. It slides on then.                              */
+HM_SELDOM static int32_t stop_slip(context *c, int32_t f)
+{
+    const event_values at = values_at(c, AT_TRIAL);
+    const double slip = slip_of(c, f, NULL), growth = at.rate[c->m->n_contacts + f];
+    double force = 0.0, taken = 0.0;
+    for (int32_t g = 0, k = c->m->n_contacts; g < c->m->n_frictions; g++, k++) {
+        const double normal = normal_force(c, g, c->k.event_mu);
+        if (at.rate[k] < 0.0 && has_ended(c, k)) force += cone(c, g, 0, normal) + cone(c, g, 1, normal);
+    }
+    let_stick(c, f);
+    const int32_t status = find_disallowed(c);
+    if (status) return status;
+    for (int32_t i = 0; i < c->m->n_rows; i++) taken += 0.5 * c->k.mu[i] * c->k.phi[i];
+    if (slip > speed_tolerance(c) && taken * -growth > FAR_MORE * 0.5 * force * slip * slip) friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
+    else take_disallowed(c, S_FRICTION);
+    return HOLONOM_OK;
 }
 
 /* Changes the modes that have ended: contacts without force open, frictions at their cones slide, those without slip stick. */
@@ -308,12 +356,11 @@ HM_SELDOM static int32_t change_modes(context *c)
         double along[3];
         if (mode == FRICTION_OFF || !has_ended(c, k)) continue;
         if (mode == FRICTION_SLIDES) {
-            let_stick(c, f);
-            const int32_t status = project_velocities(c, S_FRICTION);
+            const int32_t status = stop_slip(c, f);
             if (status) return status;
             continue;
         }
-        if (c->together && is_of_contact(c, f)) { /* new modes tell who slides */
+        if (c->together) { /* new modes tell who slides */
             c->gives_way = 1;
             continue;
         }
@@ -357,7 +404,7 @@ static double length_before_stop(const context *c, double length)
 {
     const event_values low = values_at(c, AT_LOW);
     for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++)
-        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0)
+        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0 && low.value[k] >= 0.0)
             length = fmin(length, BEFORE_STOP * low.value[k] / -low.rate[k]);
     return length;
 }

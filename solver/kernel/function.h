@@ -236,25 +236,36 @@ static int32_t composite_slopes(const context *c, int32_t j, int asked, composit
     return function_slopes(c, j, asked, result);
 }
 
+static inline double place_or_number(const context *c, int32_t place) { return place < 0 ? c->number[-1 - place] : c->k.r.r0[place]; }
+
+/* Value of function j, without slopes, of the leaves in r0. */
+static double value_of_leaves(const context *c, int32_t j)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = j - first_function(c), *op = m->operation + 4 * m->function_ptr[f], *end = m->operation + 4 * m->function_ptr[f + 1];
+    double *x = c->k.r.r0;
+    int32_t l = m->leaf_ptr[j + 1] - m->leaf_ptr[j];
+    for (; op < end; op += 4, l++) {
+        const double first = place_or_number(c, op[1]), second = place_or_number(c, op[2]);
+        if (op[0] == T_MUL) x[l] = first * second;
+        else if (op[0] == T_ADD) x[l] = first + second;
+        else if (op[0] < T_SPLINE) x[l] = hm_operate(op[0], first, second, place_or_number(c, op[3]));
+        else x[l] = hm_look_up(op[0], op[1] < 0 ? &first : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
+    }
+    return x[l - 1];
+}
+
 /* Value of function j, without slopes, of quantities at the beginning of the step or, where they are not known, at the state. */
 static double value_of_function(const context *c, int32_t j, int are_known)
 {
     const holonom_model *m = c->m;
-    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], f = j - first_function(c), *entry = m->leaf + 4 * m->leaf_ptr[j];
+    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
     double *x = c->k.r.r0;
-    int32_t l = 0;
-    for (; l < n; l++, entry += 4)
+    for (int32_t l = 0; l < n; l++, entry += 4)
         x[l] = entry[0] == LEAF_SIGNAL ? c->s.signal[entry[1]]
                : are_known             ? c->k.sigma0[entry[1]]
                                        : quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
-    for (int32_t at = m->function_ptr[f]; at < m->function_ptr[f + 1]; at++, l++) {
-        const int32_t *op = m->operation + 4 * at;
-        double argument[3];
-        for (int i = 0; i < 3; i++) argument[i] = op[1 + i] < 0 ? c->number[-1 - op[1 + i]] : x[op[1 + i]];
-        x[l] = op[0] < T_SPLINE ? hm_operate(op[0], argument[0], argument[1], argument[2])
-                                : hm_look_up(op[0], op[1] < 0 ? argument : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
-    }
-    return x[l - 1];
+    return value_of_leaves(c, j);
 }
 
 static double function_value(const context *c, int32_t j) { return value_of_function(c, j, 1); }

@@ -25,6 +25,16 @@ static int32_t single_step(context *c, double h, int half)
     return status;
 }
 
+enum { MOST_PAIRS = 16 }; /* of a step: the composition of order 8 has 15 */
+
+/* Keeps the mean multipliers of the pair of half steps just made: its contacts are looked at when the step ends (event.h). */
+static void keep_pair(context *c)
+{
+    if (!c->m->unilateral || c->n_pairs == MOST_PAIRS) return;
+    c->k.pair_time[c->n_pairs] = c->s.head[S_MEAN_TIME];
+    memcpy(c->k.pair_mean + (int64_t)c->m->n_rows * c->n_pairs++, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
+}
+
 /* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours
    is smooth, and it belongs to the time between them. Two means give the multiplier at the output's time.      */
 static void average_multipliers(context *c, double time)

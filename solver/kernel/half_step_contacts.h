@@ -14,6 +14,7 @@ typedef struct touch {
     double gap, rate; /* at its start; the rate where it is near, else 0                                         */
     double was_closed, is_near;
     double normal; /* its force by the last choice that was solved, or guessed                                    */
+    double lands, taken; /* after the first stage: whether it has just closed; energy that its normal force took  */
 } touch;
 
 static inline touch *touch_of(const context *c, int32_t i) { return (touch *)(void *)c->k.touch + i; }

@@ -37,15 +37,21 @@ static int32_t fill_matrix(const context *c, int32_t rows, const int32_t *row, d
     return status;
 }
 
+/* What W of composite `row` would be without bilateral rows. */
+HM_SELDOM static double stiffness_alone(const context *c, int32_t row)
+{
+    double alone = 0.0;
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    add_row_gradient(c, row, 1.0);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++)
+        alone += hm_square(c->k.momentum[k]) / c->number[c->m->node_mass_at + k / DIM];
+    return alone;
+}
+
 /* Whether the bilateral rows hold row r of an impact at rest, since it depends on them. */
 HM_SELDOM static int is_held(const context *c, const hit *x, int32_t r)
 {
-    double alone = 0.0; /* what W would be without bilateral rows */
-    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    add_row_gradient(c, x->row[r], 1.0);
-    for (int32_t k = 0; k < DIM * c->m->n_free; k++)
-        alone += hm_square(c->k.momentum[k]) / c->number[c->m->node_mass_at + k / DIM];
-    return fabs(x->before[r]) <= speed_tolerance(c) && x->W[(int64_t)(x->law.rows + 1) * r] <= HELD * alone;
+    return fabs(x->before[r]) <= speed_tolerance(c) && x->W[(int64_t)(x->law.rows + 1) * r] <= HELD * stiffness_alone(c, x->row[r]);
 }
 
 /* Takes out of the law the rows that others hold: nothing but round-off is left of them, at which no law is. */
@@ -115,7 +121,7 @@ static int solve_hit(const context *c, hit *x)
 
 /* Applies the impulses and books what they take: along the contacts, and along rows whose rates are not quite 0, as the
    method leaves them. Where drivers move, their work is the rest of the change of energy.                       */
-HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
+HM_SELDOM static int32_t apply_impulses(context *c, const hit *x, double kinetic)
 {
     const int driven = is_driven(c);
     int32_t status = HOLONOM_OK;
@@ -140,14 +146,21 @@ HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
     if (!driven && fabs(change + loss) > 1e-13 * kinetic) loss = -change;
     book(c, S_IMPACT, loss);
     if (driven) book(c, S_WORK, change + loss);
-    for (int32_t k = 0; k < x->law.contacts; k++) {
+    return HOLONOM_OK;
+}
+
+/* Likewise, and counts them. */
+HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
+{
+    const int32_t status = apply_impulses(c, x, kinetic);
+    for (int32_t k = 0; k < x->law.contacts && !status; k++) {
         const double p = x->law.impulse[x->law.first[k]];
         if (x->contact[k] < 0 || !(p > 0.0)) continue;
         double *own = contact_of(c, x->contact[k]);
         own[C_IMPACTS] += x->law.before[x->law.first[k]] < -speed_tolerance(c) ? 1.0 : 0.0;
         own[C_IMPULSE] += p;
     }
-    return HOLONOM_OK;
+    return status;
 }
 
 /* Whether contact i takes part in an impact: it touches and does not part. */

@@ -28,6 +28,7 @@ HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
 typedef struct hit {
     hm_impact law;
     double *W, *coefficient, *restitution, *before; /* what law reads, to be filled                            */
+    double *normal, *out; /* in stepped mode: impulses of the first stage, see velocity_stage.h                      */
     int32_t *first, *tangents, *force_begin, *force_end; /* likewise                                           */
     int32_t *contact; /* number of each contact that takes part; of joint friction f -1 - f                    */
     int32_t *row;     /* composite of each row; -1: of the normal force of a joint                             */
@@ -38,11 +39,13 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
 {
     const int64_t n = c->m->n_hit_rows;
     double *d = c->k.hit;
-    int32_t *i = (int32_t *)(void *)(d + 7 * n);
+    int32_t *i = (int32_t *)(void *)(d + 9 * n);
     x->W = c->k.hit_matrix;
     x->restitution = d;
     x->coefficient = d + n;
     x->before = d + 2 * n;
+    x->normal = d + 7 * n;
+    x->out = d + 8 * n;
     x->first = i;
     x->tangents = i + n;
     x->force_begin = i + 2 * n;

@@ -28,6 +28,15 @@ static void load_inputs(const context *c, double t)
     for (int32_t k = 0; k < m->n_switches; k++) c->number[m->switch_table[5 * k + 1]] = s->side[k];
 }
 
+/* Whether an input is on the move, or was in the last step. */
+static int move_inputs(const context *c)
+{
+    const hm_state *s = &c->s;
+    for (int32_t i = 0; i < c->m->n_inputs; i++)
+        if (c->m->input_course[i] != INPUT_HELD && (s->inputs_slope[i] != 0.0 || s->inputs_bend[i] != 0.0 || s->inputs_third[i] != 0.0)) return 1;
+    return 0;
+}
+
 /* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes springs, their stored
    energy jumps, which is work on the mechanism.                                                                 */
 static void set_laws(context *c, double t, int booked)

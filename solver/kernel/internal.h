@@ -206,8 +206,8 @@ static inline double hm_look_up(int32_t code, const double *x, const double *fir
 #define CONTACT_SCRATCH(rows) ((int64_t)(rows) * (3 * (int64_t)(rows) + 27))
 #define IMPACT_SCRATCH(rows) (CONTACT_SCRATCH(rows) + (int64_t)(rows) * ((int64_t)(rows) + 80))
 
-/* Scratch of the split of that many forces at rest, see rest_split.h: two matrices, and 15 numbers a force. */
-#define SPLIT_SCRATCH(rows) ((int64_t)(rows) * (2 * (int64_t)(rows) + 15))
+/* Scratch of the split of that many forces at rest, see contact_split.h: five matrices, and 16 numbers a force. */
+#define SPLIT_SCRATCH(rows) ((int64_t)(rows) * (5 * (int64_t)(rows) + 16))
 
 /* Lays the named vectors over one block; each returns the number of doubles used. */
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);

@@ -31,8 +31,8 @@ static void start_anew(context *c)
    there, and stay where its line ends.                                                                          */
 HM_SELDOM static void end_line(const context *c)
 {
-    extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
-    extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
+    extrapolate(c, c->s.head[S_TIME], c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
+    extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
     c->s.head[S_MEAN_TIME] = INFINITY;
 }
 

@@ -39,20 +39,12 @@ static void measure_motion(const context *c, const hm_measured *y)
     }
 }
 
-/* Value at the present time on the line through the means of the last steps. */
-static void extrapolate(const context *c, int32_t n, const double *mean, const double *before, double *y)
-{
-    const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
-    double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
-    if (is_unilateral(c->m) && !(ahead <= FARTHEST)) ahead = 0.0; /* a short piece lies between the means */
-    for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
-}
-
 /* Multipliers and forces on driven nodes as half steps tell them: their means. */
 static void mean_forces(const context *c, const hm_measured *y)
 {
-    extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
-    extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
+    extrapolate(c, c->s.head[S_TIME], c->m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
+    if (is_unilateral(c->m)) add_shares(c, y->multiplier);
+    extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
 
 /* Whether the state tells forces better than means do, which are of order 2 whatever the order of the motion is. With equal steps means
@@ -156,7 +148,6 @@ static void measure_contacts(const context *c, const hm_measured *y)
     if (!is_unilateral(m)) return;
     double *mu = c->k.event_mu;
     memcpy(mu, y->multiplier, sizeof(double) * (size_t)m->n_rows);
-    add_shares(c, mu);
     quantities_at_state(c);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     for (int32_t i = 0; i < n_contacts(m); i++) {
@@ -182,6 +173,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
     y->loss[0] = head[S_DISSIPATED], y->loss[1] = head[S_FRICTION], y->loss[2] = head[S_IMPACT];
     y->contact_solver[0] = head[S_EVENTS] + head[S_SWITCHED], y->contact_solver[1] = head[S_STEPPED];
     y->contact_solver[2] = head[S_JAMS], y->contact_solver[3] = head[S_NEWTON_IMPACTS];
+    y->contact_solver[4] = head[S_MIXED_IMPACTS];
 }
 
 /* Energies, and the largest scaled residuals of the rows. */

@@ -148,6 +148,16 @@ static void choose_lambda(const context *c, const newton_record *r)
     c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && !is_unilateral(c->m) && (is_short || is_enough);
 }
 
+/* Contraction up to which factors that leave out how forces of sliding frictions turn with the place are made like that again. In space
+   what they leave out costs as much as a dozen increments. */
+#define SOFT_CONTRACTION 0.9
+
+static int is_soft_enough(const context *c, const newton_record *r)
+{
+    if (!c->sliding || r->increments == 0) return c->sliding; /* first factors contract well enough */
+    return r->theta < SOFT_CONTRACTION && slides_in_space(c);
+}
+
 /* Solves for one Newton increment and adds it; its size, that of d, and what they are measured against. */
 static int32_t newton_update(context *c, newton_record *r)
 {
@@ -202,6 +212,14 @@ static void hold_multipliers(context *c, newton_record *r)
     r->updates++;
 }
 
+/* Whether increments tell how far the next ones go: as soon as they contract, and until they grow. The first one does not. */
+#define BEGIN_TO_SETTLE 0.6
+
+static int is_settling(const context *c, const newton_record *r)
+{
+    return r->increments >= 2 && r->theta < (c->unsettled < INFINITY ? 1.0 : BEGIN_TO_SETTLE);
+}
+
 /* Newton's iteration with lambda held fixed: tangent, increment, residual; with early updates while it contracts well. */
 static int32_t iterate_newton(context *c, newton_record *r)
 {
@@ -211,7 +229,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         int32_t status = HOLONOM_OK;
         r->kept = may_keep_factors(c, r);
         if (!r->kept) {
-            c->soft = c->sliding && r->increments == 0; /* dear, and first factors contract well enough without it */
+            c->soft = is_soft_enough(c, r);
             status = factorise(c);
             c->firm = !status && rows_are_firm(c);
             c->has_last = 0;
@@ -219,6 +237,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (!status) status = newton_update(c, r);
         if (status) return status;
         judge_increment(c, r);
+        c->unsettled = is_settling(c, r) ? r->eta / fabs(c->h) : INFINITY;
         if (is_misled(r)) take_back(c), c->has_last = 0;
         if (r->eta <= READ_ENOUGH * r->size) c->reads = 0;
         status = evaluate_balance(c);

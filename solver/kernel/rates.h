@@ -61,11 +61,11 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
     signals_at(&c, c.t + step, c.k.signal1);
     links_at_start(&c);
     rows_at_start(&c, 0);
-    extrapolate(&c, m->n_rows, c.s.mean, c.s.mean_before, c.k.mu);
+    extrapolate(&c, c.s.head[S_TIME], m->n_rows, c.s.mean, c.s.mean_before, c.k.mu);
     memset(c.k.phi, 0, sizeof(double) * (size_t)m->n_rows);
     memset(c.k.momentum, 0, sizeof(double) * (size_t)n);
     memset(c.k.handed_on, 0, sizeof(double) * (size_t)n);
-    extrapolate(&c, DIM * m->n_driven, c.s.driven_mean, c.s.driven_mean_before, driving);
+    extrapolate(&c, c.s.head[S_TIME], DIM * m->n_driven, c.s.driven_mean, c.s.driven_mean_before, driving);
     for (int32_t k = 0; k < DIM * m->n_driven; k++) driving[k] *= step;
     for (int64_t k = 0; k < n; k++) c.k.d[k] = step * (c.s.v[k] + 0.5 * step * c.s.a[0][k]);
     changes_of_rows(&c);

@@ -19,37 +19,37 @@ typedef struct rest_split {
     const int32_t *first, *tangents; /* per contact: its normal force; forces of friction that follow it: 0 to 3        */
     const double *coefficient;       /* per contact, >= 0                                                       */
     const double *B, *g;             /* rank x rows, rank; |g| = 1                                              */
-    double *force;                   /* rows, overwritten: x                                                    */
+    double *force, *base;            /* rows each, overwritten: x, and what it is near to                       */
     double *dual, *way, *defect, *trial; /* rank each, overwritten                                                */
     double *matrix;                  /* rank x rank, overwritten                                                */
 } rest_split;
 
-#define SPLIT_TOLERANCE 1e-13 /* of B x - g                                                                      */
+#define SPLIT_TOLERANCE 1e-13 /* of B x - g, over the forces                                                     */
 #define SPLIT_ACCEPTED 1e-11  /* likewise, where rounding allows no less                                          */
-#define SPLIT_UNBOUNDED 1e8   /* size of a dual that grows without bound                                          */
-#define VALUE_ROUNDING 1e-14  /* of values of the dual: near its top they tell no increase, but slopes do (Hager and Zhang 2005)   */
+#define LARGEST_SPLIT 1e8     /* of forces over the load: what needs larger ones is not held                     */
+#define STEEP 0.5             /* part of the slope at which the dual is left to rise: a longer way is tried      */
+#define BACK 0.1              /* likewise, to fall: a shorter one                                                */
+#define DUAL_ROUNDING 2e-16   /* of the dual                                                                    */
+#define LONGEST_WAY 1e20      /* over a step of Newton's iteration                                               */
 
-enum { MOST_SPLIT_ITERATIONS = 200 };
+enum { MOST_SPLIT_ITERATIONS = 200, MOST_SHARES = 80, MOST_BASES = 4 };
 
-/* Forces of the dual y, B x - g in `defect`, and the value of the dual; with `hessian` also its negative second derivatives. */
-static double split_of_dual(const rest_split *s, double factor, const double *y, int hessian)
+/* Forces of the dual y, B x - g in `defect`; with `hessian` also the negative second derivatives of the dual. */
+static void split_of_dual(const rest_split *s, double factor, const double *y, int hessian)
 {
-    double value = 0.0, slope[MOST_IN_CONE * MOST_IN_CONE];
-    for (int32_t k = 0; k < s->rank; k++) value += y[k] * s->g[k];
+    double slope[MOST_IN_CONE * MOST_IN_CONE];
     for (int32_t k = 0; k < s->rank; k++) s->defect[k] = -s->g[k];
     for (int32_t k = 0; k < s->rank * s->rank && hessian; k++) s->matrix[k] = 0.0;
     for (int32_t i = 0; i < s->contacts; i++) {
         const int32_t first = s->first[i], n = 1 + s->tangents[i];
         double *x = s->force + first;
         for (int32_t l = 0; l < n; l++) {
-            x[l] = 0.0;
+            x[l] = s->base[first + l];
             for (int32_t k = 0; k < s->rank; k++) x[l] += s->B[s->rows * k + first + l] * y[k];
         }
         project_on_cone(n, factor * s->coefficient[i], x, hessian ? slope : NULL);
-        for (int32_t l = 0; l < n; l++) {
-            value -= 0.5 * x[l] * x[l];
+        for (int32_t l = 0; l < n; l++)
             for (int32_t k = 0; k < s->rank; k++) s->defect[k] += s->B[s->rows * k + first + l] * x[l];
-        }
         for (int32_t k = 0; k < s->rank && hessian; k++)
             for (int32_t l = 0; l < n; l++) {
                 double sum = 0.0;
@@ -57,7 +57,6 @@ static double split_of_dual(const rest_split *s, double factor, const double *y,
                 for (int32_t j = 0; j <= k; j++) s->matrix[s->rank * k + j] += sum * s->B[s->rows * j + first + l];
             }
     }
-    return value;
 }
 
 /* Solves matrix x = b (both modified) with the matrix symmetric and positive definite, its lower part given. */
@@ -78,6 +77,42 @@ static void solve_definite(int32_t n, double *matrix, double *b)
     }
 }
 
+/* Whether forces inside the cones, if there are some, are larger than LARGEST_SPLIT: of each g.y = x.B'y <= |x| |P_K(B'y)|. */
+static int is_unbounded(const rest_split *s, double factor, const double *y)
+{
+    double along = 0.0, size2 = 0.0;
+    for (int32_t k = 0; k < s->rank; k++) along += y[k] * s->g[k];
+    for (int32_t i = 0; i < s->contacts; i++) {
+        double x[MOST_IN_CONE];
+        for (int32_t l = 0; l <= s->tangents[i]; l++) {
+            x[l] = 0.0;
+            for (int32_t k = 0; k < s->rank; k++) x[l] += s->B[s->rows * k + s->first[i] + l] * y[k];
+        }
+        project_on_cone(1 + s->tangents[i], factor * s->coefficient[i], x, NULL);
+        for (int32_t l = 0; l <= s->tangents[i]; l++) size2 += x[l] * x[l];
+    }
+    return along > LARGEST_SPLIT * sqrt(size2);
+}
+
+/* Moves the dual y on along `way`, to about where it rises no more. Its slope there falls all the way: slopes are compared alone, since
+   values near the top tell no increase (Hager and Zhang 2005). */
+static void climb(const rest_split *s, double factor, double *y)
+{
+    double slope = 0.0, low = 0.0, high = INFINITY, share = 1.0;
+    for (int32_t k = 0; k < s->rank; k++) slope -= s->defect[k] * s->way[k];
+    for (int trial = 0; trial < MOST_SHARES; trial++) {
+        double ahead = 0.0; /* slope there */
+        for (int32_t k = 0; k < s->rank; k++) s->trial[k] = y[k] + share * s->way[k];
+        split_of_dual(s, factor, s->trial, 0);
+        for (int32_t k = 0; k < s->rank; k++) ahead -= s->defect[k] * s->way[k];
+        if (ahead > STEEP * slope && share < LONGEST_WAY) low = share;
+        else if (ahead < -BACK * slope) high = share;
+        else break;
+        share = high < INFINITY ? 0.5 * (low + high) : 8.0 * share;
+    }
+    for (int32_t k = 0; k < s->rank; k++) y[k] = s->trial[k];
+}
+
 static double largest_of(int32_t n, const double *x)
 {
     double largest = 0.0;
@@ -85,35 +120,46 @@ static double largest_of(int32_t n, const double *x)
     return largest;
 }
 
-/* Whether there is a split with coefficients times `factor`; then `force` is the least one. */
-static int has_split(const rest_split *s, double factor)
+/* Whether B x - g is no more than this part of the forces, or of the load. */
+static int is_split(const rest_split *s, double tolerance)
+{
+    return largest_of(s->rank, s->defect) < tolerance * fmax(1.0, largest_of(s->rows, s->force));
+}
+
+/* Newton's iteration for the forces nearest to `base`: 1: found, -1: there are none, 0: rounding ends it before. */
+static int iterate_split(const rest_split *s, double factor)
 {
     double *y = s->dual;
-    for (int32_t k = 0; k < s->rank; k++) y[k] = s->g[k];
-    double value = split_of_dual(s, factor, y, 1);
     for (int iteration = 0; iteration < MOST_SPLIT_ITERATIONS; iteration++) {
-        double size2 = 0.0, slope = 0.0, next = value, share = 1.0;
-        if (largest_of(s->rank, s->defect) < SPLIT_TOLERANCE) return 1;
+        double size2 = 0.0;
+        split_of_dual(s, factor, y, 1);
+        if (is_split(s, SPLIT_TOLERANCE)) return 1;
+        if (is_unbounded(s, factor, y)) return -1;
         for (int32_t k = 0; k < s->rank; k++) size2 += s->defect[k] * s->defect[k];
+        if (size2 < hm_square(DUAL_ROUNDING * largest_of(s->rank, y))) return 0;
         for (int32_t k = 0; k < s->rank; k++) {
             s->way[k] = -s->defect[k];
             s->matrix[s->rank * k + k] += 1e-14 + 1e-3 * fmin(1.0, size2);
         }
         solve_definite(s->rank, s->matrix, s->way);
-        for (int32_t k = 0; k < s->rank; k++) slope -= s->defect[k] * s->way[k];
-        for (; share > 1e-11; share *= 0.5) {
-            double ahead = 0.0; /* slope of the dual there */
-            for (int32_t k = 0; k < s->rank; k++) s->trial[k] = y[k] + share * s->way[k];
-            next = split_of_dual(s, factor, s->trial, 0);
-            for (int32_t k = 0; k < s->rank; k++) ahead -= s->defect[k] * s->way[k];
-            if (next >= value + 1e-4 * share * slope) break;
-            if (next >= value - VALUE_ROUNDING * (1.0 + fabs(value)) && ahead >= -0.9 * slope) break;
-        }
-        for (int32_t k = 0; k < s->rank; k++) y[k] = s->trial[k];
-        value = split_of_dual(s, factor, y, 1);
-        if (!(largest_of(s->rank, y) < SPLIT_UNBOUNDED && value < SPLIT_UNBOUNDED)) return 0;
+        climb(s, factor, y);
     }
-    return largest_of(s->rank, s->defect) < SPLIT_ACCEPTED;
+    return 0;
+}
+
+/* Whether there is a split with coefficients times `factor`; then `force` is the least one. Where cones nearly close around a wedge the
+   dual is the square of the forces, and its rounding counts: from there on forces near to those are sought. */
+static int has_split(const rest_split *s, double factor)
+{
+    int found = 0;
+    for (int32_t k = 0; k < s->rows; k++) s->base[k] = 0.0;
+    for (int32_t k = 0; k < s->rank; k++) s->dual[k] = s->g[k];
+    for (int time = 0; time < MOST_BASES && !found; time++) {
+        if ((found = iterate_split(s, factor)) || is_split(s, SPLIT_ACCEPTED)) break;
+        for (int32_t k = 0; k < s->rows; k++) s->base[k] = s->force[k];
+        for (int32_t k = 0; k < s->rank; k++) s->dual[k] = 0.0;
+    }
+    return found > 0 || (!found && is_split(s, SPLIT_ACCEPTED));
 }
 
 #endif

@@ -170,17 +170,23 @@ static int has_smooth(const context *c)
 
 /* A slip smaller than this part of what its friction changes in the step does not turn it at once. */
 #define TURNING_PART 0.1
+/* But does once the increments are so many times smaller than what would let Newton's iteration miss it: a slip s that is off by d
+   turns a friction that changes slips by a through d/s, of which the iteration leaves a (d/s)^2, to be less than s. */
+#define KNOWN_SLIP 10.0
 
 /* Direction of the slip of friction f, of a smooth one less than 1, and the size of that slip: of several rows or of a smooth
    one that of the step at hand, else, at a state, or without slip, the direction with which it began to slide, and 0.
 
    Of several rows the size is negative where the slip is against the direction with which it began, as in stages that go
    back in time. A slip near 0 is no direction to follow, as Newton's iteration meets it where sliding begins or stops: the
-   force then turns towards it from where it is, and both agree after some iterations. A smooth one follows the slip.  */
+   force then turns towards it from where it is, and both agree after some iterations, which contract by a third only. From
+   where the slip is known the force follows it, as a smooth one does.                                          */
 static double slip_direction(const context *c, int32_t f, double *along)
 {
     const int n = n_slips(c, f), smooth = is_smooth(c, f);
     const double *began = friction_of(c, f) + F_ALONG_1;
+    const double sigma = c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))]; /* [1/kg] */
+    const double doubt2 = hm_square(KNOWN_SLIP * c->unsettled) * sigma;
     double slip2 = 0.0, turn2 = 0.0, size2 = hm_square(c->number[c->m->smooth_speed_at + f]), ahead = 0.0, way[3];
     for (int k = 0; k < n; k++) along[k] = began[k];
     if (c->at_state || (n == 1 && !smooth)) return 0.0;
@@ -191,7 +197,8 @@ static double slip_direction(const context *c, int32_t f, double *along)
         turn2 += way[k] * way[k];
         ahead += c->k.slip[row] * began[k];
     }
-    const double sign = ahead < 0.0 && !smooth ? -1.0 : 1.0, part = slip2 < turn2 ? 1.0 : 0.0;
+    const double sign = ahead < 0.0 && !smooth ? -1.0 : 1.0;
+    const double part = slip2 < turn2 && slip2 * slip2 * slip2 < doubt2 * doubt2 * turn2 ? 1.0 : 0.0;
     for (int k = 0; k < n; k++) {
         way[k] = part * way[k] + sign * c->k.slip[row_of(c, slip_row(c, f, k))];
         size2 += way[k] * way[k];

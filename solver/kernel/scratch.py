@@ -69,11 +69,12 @@ WORK = {
     "stages": "24 * n",  # velocities and accelerations of twelve, see stages.h
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
+    "pair_mean": "16 * n_rows * unilateral", "pair_time": "16",  # of the step, see keep_pair
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
     "event_backup": "n_state * unilateral",  # before a step that events may cut
-    "touch": "5 * n_contacts",  # see half_step_contacts.h
+    "touch": "7 * n_contacts",  # see half_step_contacts.h
     "flips": "n_frictions",  # changes of mode in the half step
-    "lands": "n_frictions",  # whether its contact has just closed
+    "rubbed": "n_frictions",  # energies taken in its first stage
     "share": "n_frictions",  # part of the half step until a slip stops
     "sweep": "n_contacts * (n_local + 4)",  # gradients and forces of those near
     "lag": "n_frictions",  # normal forces of cones, where they lag
@@ -85,9 +86,11 @@ WORK = {
     "hit_matrix": "n_hit_rows * n_hit_rows",
     "hit_force": "n_hit_forces * n_hit_rows",  # impulses in joints that rub, of unit impulses
     "hit_norms": "n_hit_forces",  # integers: whether each belongs to the norm of the one before
-    "hit": "10 * n_hit_rows",  # seven vectors of numbers and six of integers, see map_hit
+    "hit": "12 * n_hit_rows",  # nine vectors of numbers and six of integers, see map_hit
     "hit_scratch": "IMPACT_SCRATCH(n_hit_rows)",
     "rest": "SPLIT_SCRATCH(n_hit_rows) * unilateral",  # see contact_split.h
+    "rest_mu": "n_rows * unilateral",  # tells directions of forces that press joints there
+    "rest_mean": "n_rows * unilateral",  # multipliers of half steps there
     "rest_modes": "n_state * unilateral",  # before contacts are opened there
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }

@@ -426,13 +426,22 @@ static void judge_rows(const context *c, double *mu)
     }
 }
 
-/* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined: light
-   directions cost digits. */
+/* Whether the friction of a joint slides: its cone turns with the multipliers that it is made from. */
+HM_SELDOM static int has_sliding_joint(const context *c)
+{
+    for (int32_t f = 0; f < n_frictions(c->m); f++)
+        if (friction_mode(c, f) == FRICTION_SLIDES && !is_of_contact(c, f)) return 1;
+    return 0;
+}
+
+/* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined with the factors
+   at hand: light directions cost digits. */
 HM_SELDOM static int32_t accelerations(context *c, double *mu)
 {
     const holonom_model *m = c->m;
     const size_t rows = sizeof(double) * (size_t)m->n_rows;
     double *rate = c->k.row_rate;
+    const int turns = has_sliding_joint(c);
     int32_t status = HOLONOM_OK;
     stand_still(c);
     row_biases(c);
@@ -445,7 +454,9 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
         row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
         for (int32_t i = 0; i < m->n_rows; i++)
             c->k.phi[i] = state_of_multiplier(c, i) == ROW_IS_SLIDING ? c->k.lambda[i] - mu[i] : c->k.row_bias[i] + rate[i];
-        if ((status = solve_at_state(c, NULL))) return status;
+        if ((refinement == 0 || turns) && (status = factorise_at_state(c, NULL))) return status;
+        memset(c->k.mu, 0, rows);
+        solve_with_factors(c);
         add_solution(c, c->k.w);
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
     }

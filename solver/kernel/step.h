@@ -80,6 +80,7 @@ static void prepare_step(context *c, int parity)
 {
     c->reads = reads_the_step(c);
     c->has_last = 0;
+    c->unsettled = INFINITY;
     const holonom_model *m = c->m;
     const double h = c->h;
     EACH_TURN(c, b) if (c->half == 0) straighten(c, m->body_node[b]);

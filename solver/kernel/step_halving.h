@@ -88,11 +88,14 @@ static int32_t take_step(context *c, double h)
     int stages = 1;
     stage(order, 0, &stages);
     begin_halves(c, 2 * stages);
+    c->n_pairs = 0;
     for (int i = 0; i < stages && !status; i++) {
         const double half = 0.5 * h * stage(order, i, &stages);
         status = single_step(c, half, 2 * i);
         if (!status) status = single_step(c, half, 2 * i + 1);
-        if (!status) average_multipliers(c, c->t - half);
+        if (status) break;
+        average_multipliers(c, c->t - half);
+        keep_pair(c);
     }
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;

@@ -25,7 +25,7 @@ static int32_t try_half(context *c, double h, int half)
     int32_t status = solve_contacts(c, parity);
     if (status) return status;
     accept_step(c, parity);
-    if (has_closed(c) || c->m->n_frictions) status = part_contacts(c, booked(c, S_IMPACT) - impact, parity);
+    if (has_closed(c) || c->m->n_frictions) status = change_velocities(c);
     if (status) return status;
     const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
     const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * c->s.head[S_ENERGY_REFERENCE];

@@ -137,15 +137,6 @@ static int is_behind(context *c, int32_t status, double *argument)
     return 1;
 }
 
-/* Where the parabola through three places is lowest, and how low it is there; NaN if it is not between them. */
-static double lowest_between(const double *x, const double *y, double *least)
-{
-    const double before = (y[1] - y[0]) / (x[1] - x[0]), after = (y[2] - y[1]) / (x[2] - x[1]), bend = (after - before) / (x[2] - x[0]);
-    const double lowest = 0.5 * (x[0] + x[1] - before / bend);
-    *least = y[0] + (lowest - x[0]) * (before + (lowest - x[1]) * bend);
-    return bend > 0.0 && lowest > x[0] && lowest < x[2] ? lowest : NAN;
-}
-
 /* Looks in a piece, just taken, for a switch that leaves its side upwards (way = 1) or downwards (-1) and comes back, where a
    parabola through its arguments at the ends and inside comes near to the level. Returns a length at which one is off its side or was
    seen so, the step to which is made, or 0: then the whole piece is taken again. */
@@ -316,7 +307,7 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
 {
     signals_at(c, t, c->k.signal_rate);
     if (have_jumped(c, c->k.signal_rate, c->k.signal1)) return HOLONOM_SIGNAL_JUMPS;
-    c->stop = NAN;
+    seek_stop_anew(c);
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
     c->quick = t - c->switched > c->pause ? 0 : c->quick + 1;

@@ -47,6 +47,13 @@ HM_SELDOM static void run_arguments(const context *c, double t)
     hm_run_jets(m, c->number, 2, c->k.jet);
 }
 
+/* When sides or inputs change, another switch may be the next one. */
+static void seek_stop_anew(context *c)
+{
+    c->stop = NAN;
+    c->s.head[S_QUIET_UNTIL] = -1e300; /* a state is finite */
+}
+
 /* Sides of all switches from time t on, at the present state; stored energy that springs of other sides have is work. Where `is_booked`
    is 0 nothing has happened before. */
 HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
@@ -78,7 +85,7 @@ HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
     set_laws(c, t, 0);
     memcpy(c->s.side, sides, sizeof(double) * (size_t)m->n_switches);
     set_laws(c, t, is_booked);
-    c->stop = NAN;
+    seek_stop_anew(c);
 }
 
 /* ---------------------------------------------------------------------------------------------- switches of the time */
@@ -149,23 +156,29 @@ HM_SELDOM static double leaves_between(const context *c, const switch_place *x, 
     return first < INFINITY ? first : leaves_between(c, x, side, middle, b, depth + 1, left);
 }
 
-/* Next time in (t, end] at which a switch of the time changes, or infinity. It stands until sides change. */
+/* Times so near to each other are one. */
+static double rounding_of_time(double t, double step) { return 2e-15 * fabs(t) + 1e-14 * step; }
+
+#define LOOKS_AHEAD 64.0 /* communication steps, as long as no input moves: a look costs as much as some steps of a small mechanism */
+
+/* Next time at which a switch of the time changes, infinite if that is after `end`. It stands until sides change. */
 HM_SELDOM static double next_stop(context *c, double t, double end)
 {
     const holonom_model *m = c->m;
     const double law_time = c->number[m->time_at];
-    if (c->stop == c->stop || m->n_motion_switches == m->n_switches) return c->stop == c->stop ? c->stop : INFINITY;
+    if (c->stop == c->stop) return c->stop;
     c->stop = INFINITY;
+    if (m->n_motion_switches == m->n_switches || end < c->s.head[S_QUIET_UNTIL]) return c->stop;
+    const double last = move_inputs(c) ? end : end + LOOKS_AHEAD * (end - c->start);
     for (int32_t k = 0; k < m->n_switches; k++) {
         int left = MOST_RANGES;
         if (switch_of(c, k)->is_of_motion) continue;
-        c->stop = fmin(c->stop, leaves_between(c, switch_of(c, k), c->s.side[k], t, fmin(c->stop, end), 0, &left));
+        c->stop = fmin(c->stop, leaves_between(c, switch_of(c, k), c->s.side[k], t, fmin(c->stop, last), 0, &left));
     }
+    const double known = fmin(c->stop, last);
+    c->s.head[S_QUIET_UNTIL] = known - 4.0 * rounding_of_time(known, end - c->start);
     set_laws(c, law_time, 0);
     return c->stop;
 }
-
-/* Times so near to each other are one. */
-static double rounding_of_time(double t, double step) { return 2e-15 * fabs(t) + 1e-14 * step; }
 
 #endif

@@ -36,16 +36,20 @@ HM_SELDOM static void add_defect(const context *c, double sign)
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
 }
 
-/* Takes from the velocities what rows do not allow and books its energy in `account`; a change beyond it is work of
-   drivers. */
-HM_SELDOM static int32_t project_velocities(context *c, int account)
+/* Likewise, with new factors and without what sliding frictions do. */
+HM_SELDOM static int32_t find_disallowed(context *c)
 {
     suspend_sliding(c, NULL, 1);
     stand_still(c);
     const int32_t status = factorise_at_state(c, NULL);
     if (!status) find_defect(c);
     suspend_sliding(c, NULL, 0);
-    if (status) return status;
+    return status;
+}
+
+/* Takes what has been found so from the velocities and books its energy in `account`; a change beyond it is work of drivers. */
+HM_SELDOM static void take_disallowed(context *c, int account)
+{
     add_defect(c, 1.0);
     /* What was solved for near a singular configuration is not quite orthogonal: its own work is booked. */
     const double square = 0.5 * mass_product(c, c->k.hit_defect, c->k.hit_defect);
@@ -56,7 +60,13 @@ HM_SELDOM static int32_t project_velocities(context *c, int account)
     book(c, account, loss);
     book(c, S_WORK, change + loss);
     evaluate_state(c);
-    return HOLONOM_OK;
+}
+
+HM_SELDOM static int32_t project_velocities(context *c, int account)
+{
+    const int32_t status = find_disallowed(c);
+    if (!status) take_disallowed(c, account);
+    return status;
 }
 
 #endif

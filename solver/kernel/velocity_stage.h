@@ -1,12 +1,177 @@
 /* Second stage of a half step of stepped mode: velocities change alone, at q_1.
 
-   Closed contacts part with rates f e |g'_0| where they have just closed, and with none where they were closed before; what
-   holds is held. f is such that e^2 of what both stages take with f = 0 is given back (energetic restitution, Stronge 1990),
-   a quadratic equation.                                                                                          */
+   Where contacts land, the law of impact of located mode acts at q_1 (impact_sweep.h) on all that touch in their islands: closed ones have
+   no restitution. The velocities before are those of the first stage without its impulses in contacts and joints that rub: all but
+   the part 1 - kappa of the normal ones of landing contacts. These impulses took energy; kappa = 1 + O(h) is such that
+   all of that is given back, a quadratic equation, so that an impact loses what its law says, wherever in the half step it falls.
+
+   In islands where none lands, what holds has no rate. That is so, too, where so much touches that the path of an impact takes longer than
+   the step: landing contacts then part with rates f e |g'_0|, without friction, such that e^2 of what both stages take
+   with f = 0 is given back.                                                                                       */
 #ifndef HOLONOM_VELOCITY_STAGE_H
 #define HOLONOM_VELOCITY_STAGE_H
 
 #include "half_step_contacts.h"
+
+enum { LANDS = 1, LANDS_AMONG_MANY };
+enum { MANY_ROWS = 60 }; /* of contacts, frictions and joints that rub: dense matrices of theirs are factored for each piece of a path */
+
+/* Keeps what contacts and frictions did in the first stage, which is at hand: impulses against all rows (in event_mu), and energies. */
+static void keep_first_stage(const context *c)
+{
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = c->h * c->k.mu[i];
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const int32_t row = row_of(c, c->m->contact_row[i]);
+        touch_of(c, i)->lands = is_closed(c, i) && touch_of(c, i)->was_closed == 0.0 ? LANDS : 0.0;
+        touch_of(c, i)->taken = is_closed(c, i) ? c->k.mu[row] * c->k.change[row] : 0.0;
+    }
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        c->k.rubbed[f] = 0.0;
+        for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) != FRICTION_OFF; k++) {
+            const int32_t row = row_of(c, slip_row(c, f, k));
+            c->k.rubbed[f] += c->k.mu[row] * c->k.change[row];
+        }
+    }
+}
+
+/* Whether composite j, a row, is of that island. */
+static int is_of_island(const context *c, int32_t j, int32_t island)
+{
+    const int32_t *begin = c->m->island_begin + ISLAND_COLUMNS * island;
+    return j >= begin[ISLAND_FUNCTION] && j < begin[ISLAND_COLUMNS + ISLAND_FUNCTION];
+}
+
+static int contacts_land(const context *c, int32_t island)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (touch_of(c, i)->lands == LANDS && is_of_island(c, c->m->contact_row[i], island)) return 1;
+    return 0;
+}
+
+/* Restitution of contact i. A flight that begins and ends in one half step is the last one, unless nothing is lost. */
+static double restitution_in_step(const context *c, int32_t i)
+{
+    const touch *x = touch_of(c, i);
+    const double e = x->lands != 0.0 ? c->number[c->m->restitution_at + i] : 0.0;
+    return e < 1.0 && x->gap <= gap_tolerance(c) && x->rate > 0.0 ? 0.0 : e;
+}
+
+/* Collects what touches in that island, and joints that rub, with what the first stage did there: impulses to be taken out as a whole, those
+   of the normals of landing contacts, and energies taken. Returns 0 if these are many.                            */
+static int collect_landing(const context *c, hit *x, int32_t island, double *taken, double *rubbed)
+{
+    *taken = *rubbed = 0.0;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const touch *own = touch_of(c, i);
+        if (!is_of_island(c, c->m->contact_row[i], island) || !(is_closed(c, i) || gap_of(c, i) <= gap_tolerance(c))) continue;
+        if (!add_to_hit(c, x, i, restitution_in_step(c, i))) return 0;
+        *taken += own->taken;
+        if (c->m->contact_friction[i] >= 0) *rubbed += c->k.rubbed[c->m->contact_friction[i]];
+    }
+    if (!add_joints_to_hit(c, x) || x->law.rows > MANY_ROWS) return 0;
+    for (int32_t k = 0; k < x->law.contacts; k++) {
+        const int32_t i = x->contact[k], first = x->first[k];
+        for (int32_t r = first; r <= first + x->tangents[k]; r++) {
+            x->out[r] = x->row[r] < 0 ? 0.0 : -c->k.event_mu[row_of(c, x->row[r])];
+            x->normal[r] = 0.0;
+        }
+        if (i < 0) *rubbed += c->k.rubbed[-1 - i];
+        else if (touch_of(c, i)->lands != 0.0) x->normal[first] = x->out[first], x->out[first] = 0.0;
+    }
+    return 1;
+}
+
+/* Part of the impulses x->normal to be taken out, with all of x->out, that gives back what was `taken`: the larger root of the energies;
+   negative: there is none.                                                                                        */
+static double part_taken_out(const hit *x, double taken)
+{
+    const int32_t n = x->law.rows;
+    double square = 0.0, linear = 0.0, rest = -taken;
+    for (int32_t r = 0; r < n; r++) {
+        double by_normal = 0.0, by_others = 0.0;
+        for (int32_t s = 0; s < n; s++) {
+            by_normal += x->W[(int64_t)n * r + s] * x->normal[s];
+            by_others += x->W[(int64_t)n * r + s] * x->out[s];
+        }
+        square += 0.5 * x->normal[r] * by_normal;
+        linear += x->normal[r] * (by_others - x->before[r]);
+        rest += x->out[r] * (0.5 * by_others - x->before[r]);
+    }
+    const double root2 = linear * linear - 4.0 * square * rest;
+    return square > 0.0 && root2 >= 0.0 ? 0.5 * (sqrt(root2) - linear) / square : -1.0;
+}
+
+/* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone would give back more than was taken, the
+   same part of all of them goes.                                                                                  */
+static void take_out(const context *c, const hit *x, double taken)
+{
+    const int32_t n = x->law.rows;
+    double part = part_taken_out(x, taken);
+    if (part < 0.0) {
+        for (int32_t r = 0; r < n; r++) x->normal[r] += x->out[r], x->out[r] = 0.0;
+        part = fmax(part_taken_out(x, taken), 0.0);
+        c->s.head[S_MIXED_IMPACTS] += 1.0;
+    }
+    for (int32_t r = 0; r < n; r++) x->out[r] += part * x->normal[r];
+    for (int32_t r = 0; r < n; r++)
+        for (int32_t s = 0; s < n; s++) x->before[r] -= x->W[(int64_t)n * r + s] * x->out[s];
+}
+
+/* Counts impacts and impulses, and closes what does not part. */
+static void end_landing(context *c, const hit *x)
+{
+    evaluate_state(c);
+    for (int32_t k = 0; k < x->law.contacts; k++) {
+        const int32_t i = x->contact[k], r = x->first[k];
+        if (i < 0) {
+            friction_of(c, -1 - i)[F_MODE] = FRICTION_OFF;
+            guess_friction(c, -1 - i);
+            continue;
+        }
+        double *own = contact_of(c, i);
+        const int closed = is_closed(c, i);
+        own[C_IMPULSE] += x->law.impulse[r] + x->out[r];
+        if (touch_of(c, i)->lands != 0.0) {
+            own[C_IMPACTS] += x->before[r] < -speed_tolerance(c) ? 1.0 : 0.0;
+            c->s.head[S_EVENTS] += 1.0;
+        }
+        open_contact(c, i);
+        if (!(gap_rate(c, i) > speed_tolerance(c))) close_contact_at(c, i, closed ? own[C_REFERENCE] : 0.0);
+    }
+}
+
+/* The impact of an island in which contacts land. */
+static int32_t land(context *c, int32_t island)
+{
+    const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
+    double taken, rubbed;
+    hit x;
+    map_hit(c, &x);
+    if (!collect_landing(c, &x, island, &taken, &rubbed)) {
+        for (int32_t i = 0; i < c->m->n_contacts; i++)
+            if (touch_of(c, i)->lands == LANDS && is_of_island(c, c->m->contact_row[i], island)) touch_of(c, i)->lands = LANDS_AMONG_MANY;
+        return HOLONOM_OK;
+    }
+    memcpy(c->k.rest_modes, c->s.contacts, modes);
+    open_all(c);
+    const double kinetic = kinetic_energy(c, c->k.momentum);
+    int32_t status = fill_hit(c, &x);
+    if (!status) {
+        take_out(c, &x, taken + rubbed);
+        for (int32_t k = 0; k < x.law.contacts; k++)
+            if (!(-x.before[x.first[k]] > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) x.restitution[k] = 0.0;
+        status = solve_hit(c, &x) ? HOLONOM_IMPACT_UNSOLVED : HOLONOM_OK;
+    }
+    for (int32_t r = 0; r < x.law.rows; r++) x.law.impulse[r] -= x.out[r];
+    if (!status) status = apply_impulses(c, &x, kinetic);
+    book(c, S_FRICTION, -rubbed); /* what friction takes in an impact is the impact's */
+    book(c, S_IMPACT, rubbed);
+    memcpy(c->s.contacts, c->k.rest_modes, modes);
+    if (!status) end_landing(c, &x);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------ without landing */
 
 static int island_has_contact(context *c)
 {
@@ -15,34 +180,21 @@ static int island_has_contact(context *c)
     return 0;
 }
 
-/* Rates of rows that are to vanish (in phi): of islands in which a contact is closed. */
-static void rates_to_stop(context *c)
+/* Rates of rows that are to vanish (in phi): of islands in which a contact is closed and none has landed. Returns whether there are such. */
+static int rates_to_stop(context *c)
 {
+    int holds = 0;
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         look_at(c, island, island + 1);
-        if (island_has_contact(c)) continue;
+        if (island_has_contact(c) && !contacts_land(c, island)) {
+            holds = 1;
+            continue;
+        }
         EACH_ROW(c, i) c->k.phi[i] = 0.0;
     }
     look_at(c, 0, c->m->n_islands);
-}
-
-/* Rates at which contacts would part by themselves, with the other sign in phi; e^2 of all that land, by their energies. */
-static double rates_of_landing(const context *c)
-{
-    double given = 0.0, taken = 0.0;
-    memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
-        const int32_t row = row_of(c, c->m->contact_row[i]);
-        const double e = c->number[c->m->restitution_at + i], speed = -touch_of(c, i)->rate;
-        if (!is_landing(c, i) || !(speed > 0.0)) continue;
-        const double weight = speed * speed / c->number[c->m->row_sigma_at + row];
-        taken += weight;
-        if (!(speed > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) continue;
-        given += e * e * weight;
-        c->k.phi[row] = -e * speed;
-    }
-    return taken > 0.0 ? given / taken : 0.0;
+    return holds;
 }
 
 /* Adds x to the velocities and books what its impulses (in mu) take; the rest of the change of energy is work. */
@@ -58,7 +210,7 @@ static void add_velocities(context *c, const double *x, int driven)
                 const int32_t j = slip_row(c, f, k), row = row_of(c, j);
                 if (state_of_row(c, j) == ROW_IS_OFF) continue;
                 rate[row] = rate_of_row(c, j);
-                if (c->k.lands[f] == 0.0) friction += 0.5 * c->k.mu[row] * rate[row];
+                friction += 0.5 * c->k.mu[row] * rate[row];
             }
         for (int32_t i = 0; i < m->n_rows; i++) total += 0.5 * c->k.mu[i] * rate[i];
         for (int32_t k = 0; k < DIM * m->n_free && !side; k++) hm_add(c->s.v + k, c->s.v_low + k, x[k]);
@@ -69,7 +221,7 @@ static void add_velocities(context *c, const double *x, int driven)
     if (driven) book(c, S_WORK, before + loss);
 }
 
-/* Lets those frictions stick whose slip the second stage has reversed; joints, which had none in it, slide the other way. */
+/* Lets those frictions stick whose slip has been reversed; joints slide the other way. */
 static int stop_reversed(context *c)
 {
     int stops = 0;
@@ -85,90 +237,94 @@ static int stop_reversed(context *c)
     return stops;
 }
 
-/* Part of the rates of landing contacts, whose velocities are `part` and whose impulses are in mu, that gives `share` of what
-   both stages take back: `taken`, and what the velocities `stop` take, whose impulses are in event_mu.          */
-static double part_given_back(context *c, double share, double taken, const double *stop, const double *part, int driven)
+/* Lets frictions slide on that would be stopped by a larger impulse (in mu) than that of their cones in the half step: at a dead centre, where
+   the mechanism hardly slips however fast it moves. Returns whether there are such.                               */
+static int tear_loose_in_step(context *c)
 {
-    const double curved = 0.5 * mass_product(c, part, part);
-    double linear = mass_product(c, part, c->s.v) + mass_product(c, part, stop);
-    double lost = taken - mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop);
-    if (driven) { /* what surfaces and drivers do is no loss */
-        memset(c->k.ahead, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-        row_rates(c, c->s.q, c->s.q_low, c->k.ahead, c->s.signal, c->k.signal_rate, c->k.row_rate);
-        for (int32_t i = 0; i < c->m->n_rows; i++) {
-            linear -= c->k.mu[i] * c->k.row_rate[i];
-            lost += c->k.event_mu[i] * c->k.row_rate[i];
-        }
+    int tears = 0;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (friction_mode(c, f) != FRICTION_STICKS || !(slip_of(c, f, NULL) > speed_tolerance(c))) continue;
+        const double impulse = cone(c, f, 0, normal_force(c, f, c->k.event_mu) / c->h) * c->h;
+        if (!(friction_force(c, f, c->k.mu, NULL) > 2.0 * impulse)) continue;
+        guess_friction(c, f);
+        tears = 1;
     }
-    const double back = share * fmax(lost, 0.0), root = linear + sqrt(fmax(linear * linear + 4.0 * curved * back, 0.0));
-    return back > 0.0 && root > 0.0 ? 2.0 * back / root : 0.0;
+    return tears;
 }
 
-/* Velocities of the second stage (hit_defect), and their impulses (event_mu). */
-static int32_t velocities_of_parting(context *c, double taken, int driven)
+/* Adds to velocities that stop, whose impulses are in mu, those with which contacts that land among many part. */
+static void add_parting(const context *c, double *stop)
 {
     const int32_t n = DIM * c->n_moving, rows = c->m->n_rows;
-    double *stop = c->k.hit_defect, *part = c->k.free;
-    stand_still(c);
-    forget_dependent_rows(c);
-    judge_rows(c, NULL);
-    const int32_t status = factorise_at_state(c, NULL);
-    if (status) return status;
-    rates_to_stop(c);
-    velocities_for(c, stop);
+    double *part = c->k.free, lost = -mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop), given = 0.0, all = 0.0;
     memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)rows);
-    const double share = rates_of_landing(c);
-    if (!(share > 0.0)) return HOLONOM_OK;
-    velocities_for(c, part);
-    const double f = part_given_back(c, share, taken, stop, part, driven);
-    for (int32_t k = 0; k < n; k++) stop[k] += f * part[k];
-    for (int32_t i = 0; i < rows; i++) c->k.event_mu[i] += f * c->k.mu[i];
-    return HOLONOM_OK;
-}
-
-/* Likewise, the velocities that stop the slips of frictions which stick; contacts keep the rates that they have. */
-static int32_t velocities_of_stopping(context *c)
-{
-    stand_still(c);
-    const int32_t status = factorise_at_state(c, NULL);
-    if (status) return status;
-    memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
-        for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
-            c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
-    velocities_for(c, c->k.hit_defect);
-    memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
-    return HOLONOM_OK;
-}
-
-/* Second stage; `taken` is what contacts have taken in the first one, of length h and that parity. */
-static int32_t part_contacts(context *c, double taken, int parity)
-{
-    const holonom_model *m = c->m;
-    evaluate_state(c);
-    const int driven = is_driven(c);
-    for (int32_t f = 0; f < m->n_frictions; f++) c->k.lands[f] = 0.0;
-    for (int32_t i = 0; i < m->n_contacts; i++)
-        if (m->contact_friction[i] >= 0) c->k.lands[m->contact_friction[i]] = is_landing(c, i);
-    suspend_sliding(c, c->k.lands, 1);
-    int32_t status = velocities_of_parting(c, taken, driven);
-    if (!status) add_velocities(c, c->k.hit_defect, driven);
-    for (int32_t i = 0; i < m->n_contacts && !status; i++) {
-        const int32_t row = row_of(c, m->contact_row[i]);
-        double *own = contact_of(c, i);
-        if (!is_landing(c, i)) continue;
-        own[C_IMPACTS] += touch_of(c, i)->rate < -speed_tolerance(c) ? 1.0 : 0.0;
-        own[C_IMPULSE] -= c->h * c->s.mu[parity][row] + c->k.event_mu[row];
+    memset(c->k.phi, 0, sizeof(double) * (size_t)rows);
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const touch *x = touch_of(c, i);
+        const int32_t row = row_of(c, c->m->contact_row[i]);
+        const double weight = hm_square(x->rate) / c->number[c->m->row_sigma_at + row];
+        if (x->lands != LANDS_AMONG_MANY || !(x->rate < 0.0)) continue;
+        lost += x->taken;
+        all += weight;
+        contact_of(c, i)[C_IMPACTS] += x->rate < -speed_tolerance(c) ? 1.0 : 0.0;
         c->s.head[S_EVENTS] += 1.0;
+        if (!(-x->rate > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) continue;
+        given += hm_square(c->number[c->m->restitution_at + i]) * weight;
+        c->k.phi[row] = c->number[c->m->restitution_at + i] * x->rate;
     }
-    suspend_sliding(c, c->k.lands, 0);
-    if (!status && stop_reversed(c)) {
-        suspend_sliding(c, c->k.lands, 1);
-        status = velocities_of_stopping(c);
-        if (!status) add_velocities(c, c->k.hit_defect, driven);
-        suspend_sliding(c, c->k.lands, 0);
+    if (!(given > 0.0)) return;
+    c->s.head[S_MIXED_IMPACTS] += 1.0;
+    velocities_for(c, part);
+    const double curved = 0.5 * mass_product(c, part, part), back = given / all * fmax(lost, 0.0);
+    const double linear = mass_product(c, part, c->s.v) + mass_product(c, part, stop);
+    const double root = linear + sqrt(fmax(linear * linear + 4.0 * curved * back, 0.0)), f = root > 0.0 ? 2.0 * back / root : 0.0;
+    for (int32_t k = 0; k < n; k++) stop[k] += f * part[k];
+    for (int32_t i = 0; i < rows; i++) c->k.mu[i] = c->k.event_mu[i] + f * c->k.mu[i];
+}
+
+/* Takes the rates of rows that are on, or only the slips of frictions that stick. */
+static int32_t hold(context *c, int slips_alone)
+{
+    const int driven = is_driven(c);
+    int32_t status = HOLONOM_OK;
+    for (int again = 1; again && !status;) {
+        suspend_sliding(c, NULL, 1);
+        stand_still(c);
+        if (!slips_alone) {
+            forget_dependent_rows(c);
+            judge_rows(c, NULL);
+        }
+        status = factorise_at_state(c, NULL);
+        if (!status && slips_alone) {
+            memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
+            for (int32_t f = 0; f < c->m->n_frictions; f++)
+                for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
+                    c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
+        }
+        again = 0;
+        if (!status && (slips_alone || rates_to_stop(c))) {
+            velocities_for(c, c->k.hit_defect);
+            again = tear_loose_in_step(c);
+            if (!again && !slips_alone) add_parting(c, c->k.hit_defect);
+            if (!again) add_velocities(c, c->k.hit_defect, driven);
+        }
+        suspend_sliding(c, NULL, 0);
     }
-    for (int32_t i = 0; i < m->n_contacts && !status; i++)
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------ both */
+
+static int32_t change_velocities(context *c)
+{
+    int32_t status = HOLONOM_OK;
+    keep_first_stage(c);
+    evaluate_state(c);
+    for (int32_t island = 0; island < c->m->n_islands && !status; island++)
+        if (contacts_land(c, island)) status = land(c, island);
+    if (!status) status = hold(c, 0);
+    if (!status && stop_reversed(c)) status = hold(c, 1);
+    for (int32_t i = 0; i < c->m->n_contacts && !status; i++)
         if (is_closed(c, i) && gap_rate(c, i) > speed_tolerance(c)) open_contact(c, i);
     return status;
 }

@@ -121,11 +121,8 @@ class _Search:
             self._made_of.setdefault(name, own)
         acting = (self._acting(), self._pushing()) if len(self._made_of) > 1 else ((), ())
         self._shaped, self._pushed = (self._sets(x, count) for x in acting)
-        for _ in range(count):  # a sensor's island may have sensors of another one
-            self._shaped = [
-                _union(x, *(self._of_islands(self._shaped, ref) for ref in _measured(x)))
-                for x in self._shaped
-            ]
+        while (grown := self._grown()) != self._shaped:
+            self._shaped = grown
         self._shaped = [x.difference(_measured(x)) | AT_THE_START for x in self._shaped]
 
     def of_unknown(self, name: str) -> tuple[Sources, Sources]:
@@ -245,6 +242,11 @@ class _Search:
         """Islands of some nodes."""
         motion, of_node = self._mechanism.nodes, self._structure.islands.of_node
         return {of_node[n] for n in nodes if motion[n].motion != FIXED}
+
+    def _grown(self) -> Sets:
+        """What shapes each island, and all islands whose sensors do; these may have others'."""
+        shaped = self._shaped
+        return [_union(x, *(self._of_islands(shaped, ref) for ref in _measured(x))) for x in shaped]
 
     def _of_islands(self, sets: Sets, ref: Ref) -> Sources:
         """What acts on the islands that a measurement is taken of."""

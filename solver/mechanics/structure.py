@@ -382,9 +382,10 @@ class Structure:
     def _rows_of_impacts(self) -> int:
         """Rows of all contacts and frictions; a joint that rubs has one for its normal force."""
         mechanism = self.mechanism
+        own = {contact.friction for contact in mechanism.contacts}
+        joints = sum(f not in own for f in range(len(mechanism.frictions)))
         slips = sum(len(friction.rows) for friction in mechanism.frictions)
-        rows = len(mechanism.contacts) + slips + len(self._joints_in_impacts)
-        return rows if mechanism.contacts else 0
+        return len(mechanism.contacts) + slips + joints
 
     @cached_property
     def normal_rows(self) -> list[list[tuple[int, int]]]:

@@ -306,10 +306,13 @@ HEAD = (
     "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
+    "shares",  # 1: what sticks shares its forces as rest_split.h tells, not as its rows do
     "stepped",  # whether a part of it was, see stepped.h
     "jams", "newton_impacts",  # impacts in it that jammed, and where Newton's law stood in for the
     # energetic sweep, see impact_sweep.h
+    "mixed_impacts",  # of stepped contacts, by the law and by the half step, see velocity_stage.h
     "switched",  # changes of sides of laws in the last step, see switch_event.h
+    "quiet_until",  # no switch of the time changes before, as far as looked at, see switches.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
     "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
@@ -339,15 +342,12 @@ CONTACT = (
     "reference",  # gap at which it closed
     "parted",  # 1: the event at hand has opened it
     "impacts", "impulse",  # so far; their number, and the sum of their impulses [N s]
-    "shares",  # 1: it shares its force with others as rest_split.h tells, not as its row does
-    "shift",  # of its row's multiplier then
 )
 """Scalars of each contact in the section `contacts` of a state."""
 
 FRICTION = (
     "mode",  # `FRICTION_MODES`
     "along_1", "along_2", "along_3",  # unit direction of the slip
-    "shift_1", "shift_2", "shift_3",  # of its rows' multipliers, where its contact shares its force
 )
 """Scalars of each friction in the section `frictions` of a state."""
 
@@ -420,6 +420,7 @@ STATE = {
     "turn_before_first": "n_turns", "turn_before_second": "n_turns",
     "turn_missed": "n_turns * n_slots",
     "mean": "n_rows", "mean_before": "n_rows",  # of the last two multipliers, and those before
+    "shift": "n_rows * unilateral",  # of multipliers, where what sticks shares its forces
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
     "turns": "n_quantities",  # full turns of angles so far
@@ -465,8 +466,8 @@ MEASURED = {
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts
-    "contact_solver": "4 * unilateral",  # events of the last step, whether it was stepped, jams,
-    # impacts by Newton's law
+    "contact_solver": "5 * unilateral",  # events of the last step, whether it was stepped, jams,
+    # impacts by Newton's law, mixed ones
 }
 """Groups of measurements, in the section `measured` of the numbers."""
 

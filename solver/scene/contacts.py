@@ -1,5 +1,7 @@
 """Contacts of a scene between points, balls, planes, pins and holes, and the stops of joints."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
@@ -18,6 +20,8 @@ if TYPE_CHECKING:
 
 Ends: TypeAlias = tuple[PointReference, PointReference]
 
+THINNEST = 1e-9
+"""Shortest length of a shape, over its longest one: squares of both still add up."""
 TOWARDS_THE_BODY = kind.Direction(
     text="normal of the plane, towards the body", example=[0, 0, 1], required=True
 )
@@ -127,11 +131,23 @@ class CornersContact(RubbingContact):
 
 
 def check_size(reader: "Reader", path: Path, size: Vector) -> None:
-    """Report lengths that are not positive."""
-    for i, length in enumerate(size):
-        value = reader.value(length)
+    """Report lengths that are not positive, or nothing beside the others."""
+    values = [reader.value(length) for length in size]
+    longest = max((x for x in values if x is not None), default=0.0)
+    least = max(SAME, THINNEST * longest)
+    for i, value in enumerate(values):
         if value is not None and not value > 0.0:
             reader.draft.error((*path, i), f"must be > 0 m, got {value:.15g}")
+        elif value is not None and not value >= least:
+            message = f"must be >= {least:.6g} m, {THINNEST:g} of the longest one, got {value:.6g}"
+            if least == SAME:
+                message = f"must be >= {least:g} m, got {value:.6g}"
+            reader.draft.error((*path, i), message, "make the shape thicker")
+
+
+def is_same_place(one: Sequence[float], two: Sequence[float]) -> bool:
+    """Whether places are the same but for round-off, of their coordinates or of 1 m."""
+    return math.dist(one, two) <= SAME * max(1.0, *map(abs, one), *map(abs, two))
 
 
 def read_radii(reader: "Reader", path: Path, radii: Any, _: Any) -> tuple[Number, ...]:

@@ -143,6 +143,8 @@ WHOLE_OF_CONTACTS: dict[str, tuple[Offer, ...]] = {
         "jams": "impacts in the last communication step that jammed by strong friction",
         "newton_impacts": "impacts in the last communication step by Newton's restitution, where "
         "the energetic law found no impulses",
+        "mixed_impacts": "impacts of stepped contacts in the last communication step not by the "
+        "law alone: friction would give back more than it took, or too much touches",
     }),
 }  # fmt: skip
 """Likewise where there are contacts, or friction of joints."""

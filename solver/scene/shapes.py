@@ -12,6 +12,7 @@ from solver.scene.contacts import (
     TOWARDS_THE_BODY,
     check_size,
     check_surface_velocity,
+    is_same_place,
     read_carrier,
     read_corners,
     read_radii,
@@ -58,7 +59,7 @@ def check_ends(reader: "Reader", path: Path, ends: Places) -> None:
         reader.draft.error(path, f"a capsule has two ends, a ball one, got {len(ends)}")
     elif len(ends) == 2:
         one, two = map(reader.values, ends)
-        if one is not None and one == two:
+        if one is not None and two is not None and is_same_place(one, two):
             message = "both ends of the capsule are the same place"
             reader.draft.error(path, message, "write the place once: a ball")
 
@@ -68,7 +69,9 @@ def _polygons(reader: "Reader", path: Path, polygons: Any, _: Any) -> tuple[Plac
     for i, corners in enumerate((first, second)):
         values = [reader.values(corner) for corner in corners]
         for k, (before, corner) in enumerate(pairwise((values[-1:] or [None]) + values)):
-            if before is not None and before == corner and len(corners) > 1:
+            if before is None or corner is None or len(corners) == 1:
+                continue
+            if is_same_place(before, corner):
                 message = "is the same place as the corner before"
                 reader.draft.error((*path, i, k), message, "leave one of them out")
     if len(first) == len(second) == 1:

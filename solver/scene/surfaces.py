@@ -20,7 +20,12 @@ from solver.scene.words import a, did_you_mean
 if TYPE_CHECKING:
     from solver.scene.references import Reader
 
-POWER = Rule(lambda x: x == 2.0 or x >= 3.0, "2 or at least 3, else its curvature has no bounds")
+POWER = Rule(
+    lambda x: x == 2.0 or 3.0 <= x <= 100.0,
+    "2 or from 3 to 100, else its curvature has no bounds, or no number is as large as x^p",
+)
+LARGEST = 1e100
+"""Of powers of a ratio of semi-axes: those of farther places must not overflow."""
 
 
 def _profile(reader: "Reader", path: Path, name: Any, _: Any) -> str:
@@ -184,6 +189,15 @@ class SuperquadricContact(PointContact):
         PointContact.check(self, reader, path, given)
         if given.semi_axes is not BROKEN:
             check_size(reader, (*path, "semi_axes"), self.semi_axes)
+            self._check_ratio(reader, (*path, "semi_axes"))
+
+    def _check_ratio(self, reader: "Reader", path: Path) -> None:
+        """Report semi-axes whose ratio has a power that is too large."""
+        values, most = reader.values(self.semi_axes), LARGEST ** (1.0 / self.power)
+        if values and min(values) > 0.0 and max(values) > most * min(values):
+            message = f"the longest over the shortest must be <= {most:.6g} with a power of "
+            message += f"{self.power:g}, got {max(values) / min(values):.6g}"
+            reader.draft.error(path, message, "make it thicker, or its power smaller")
 
 
 def _rising(reader: "Reader", path: Path, numbers: Any, _: Any) -> tuple[float, ...]:

@@ -133,6 +133,9 @@ class Law:
         q0 = self._rates(gamma, active, wall)
         pushes = active & (q0[normal] > 1e-11 * np.max(np.abs(q0)))
 
+        if all(len(row) <= 2 for row in self.rows):
+            return self._straight_piece(gamma, p, q0, pushes, wall, start, tau, live, left)
+
         def slope(_: float, y: Array) -> Array:
             q = self._rates(y[:m], pushes, wall)
             return np.concatenate([self.W @ q, q, q[normal] * y[normal]])
@@ -158,6 +161,28 @@ class Law:
             raise ArithmeticError(path.message)
         y = path.y[:, -1]
         return y[:m], y[m : 2 * m], y[2 * m :], float(path.t[-1])
+
+    def _straight_piece(
+        self, gamma: Array, p: Array, q: Array, pushes: Mask, wall: Array, start: Array,
+        tau: float, live: Mask, left: Array,
+    ) -> tuple[Array, Array, Array, float]:  # fmt: skip
+        """Likewise with slips of one rate each, which keep their directions."""
+        rate, normal = self.W @ q, [k for k, *_ in self.rows]
+        ends = [-tau if tau < 0.0 else 10.0]
+        for i, (k, *t) in enumerate(self.rows):
+            if not pushes[i]:
+                if rate[k] < wall[i]:
+                    above = gamma[k] - start[i] + 1e-13 * self.size
+                    ends.append(max(0.0, above / (wall[i] - rate[k])))
+                continue
+            if t and gamma[t[0]] * rate[t[0]] < 0.0:
+                ends.append(-gamma[t[0]] / rate[t[0]])
+            if live[i] and tau >= 0.0:  # the work that is left is q (gamma h + rate h^2/2)
+                a, b = q[k] * gamma[k], 0.5 * q[k] * rate[k]
+                ends.append(2.0 * left[i] / (a + np.sqrt(a * a + 4.0 * b * left[i])))
+        h = min(ends)
+        work = h * q[normal] * (gamma[normal] + 0.5 * h * rate[normal])
+        return gamma + h * rate, p + h * q, work, h
 
     def loss(self, p: Array) -> float:
         """What the impulses take, -p (gamma- + gamma+)/2 [J]."""

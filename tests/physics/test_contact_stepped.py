@@ -129,6 +129,22 @@ def test_a_pile_of_discs_comes_to_rest_with_the_same_energy_at_every_step():
     assert energies[0] == pytest.approx(7.187239, abs=1e-6)
 
 
+def test_a_pile_of_many_discs_rests_and_loses_what_it_falls():
+    """More than 60 contacts touch in the end; the energy lost is that of the heights."""
+    integrator = begin(pile_of_discs(40), 0.004, **STEPPED)
+
+    def height() -> float:
+        return 0.1 * GRAVITY * sum(number(integrator, f"p{i}.y") for i in range(40))
+
+    before = height()
+    passed = cover(integrator, even(1.2, 0.04))
+    assert passed.error <= CLOSURE
+    assert passed.gap >= LEAST_GAP
+    assert sum(number(integrator, f"{name}.mode") > 0 for name in contacts_of(integrator)) > 60
+    assert number(integrator, "energy.kinetic") <= 1e-12
+    assert number(integrator, "energy.impact") == pytest.approx(before - height(), rel=1e-9)
+
+
 @pytest.mark.parametrize("h", [0.005, 0.0025])
 def test_a_chain_that_falls_on_a_floor_comes_to_rest(h):
     integrator = begin(chain_over_a_floor(), h, **STEPPED)

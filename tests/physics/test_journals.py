@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
 import numpy as np
 import pytest
 
+import solver
+from solver.runtime import Integrator
 from tests.contact_events import begin, cover, even, number
 from tests.problems import Content
 
@@ -125,3 +128,23 @@ def test_a_shaft_slides_along_its_bearing_until_friction_stops_it():
     assert integrator["energy.dissipated"] == pytest.approx(lost, rel=1e-8)
     assert passed.error < 1e-11
     assert passed.loss > -1e-12
+
+
+def test_a_slip_past_its_stop_is_an_event_and_no_step_back_in_time():
+    """Next to no friction cannot turn a slip: its direction outlives it."""
+    play, axis = 4.4493103032679206e-05, [0.0, 1.0, 0.0]
+    content = shaft(axis, length=0.008898620606535842, radius=play, friction=1e-300)
+    inertia = [7.403317264116463e-06, 4.911704710761333e-06, 8.812328221717886e-06]
+    place = [0.7118896485228673, 0.0, 0.0]
+    content["bodies"]["s"] |= {"mass": 1.0, "inertia": inertia, "position": place}
+    content["contacts"]["b"] |= {
+        "position": place, "pin_radius": 0.0, "axial_play": play,
+        "collar_radius": 0.0035594482426143364,
+    }  # fmt: skip
+    content["solver"] = {"step_size": 0.02, "order": 4, "rest_time": 0.0, "assemble": True}
+    content["experiment"] = {"step_size": 0.04, "stop_time": 2.0}
+    run = Integrator(solver.assemble(solver.loads(json.dumps(content), format="json")), log=print)
+    for _ in range(10):
+        run.advance(run.time, 0.04)
+    assert run["s.z"] == pytest.approx(-play, abs=1e-9)
+    assert number(run, "energy.error") < 1e-9

@@ -93,6 +93,26 @@ def test_pulses_that_no_step_samples_are_seen():
     assert found == pytest.approx(right, abs=2e-12)  # 0.9999 is known to 1e-16, its arccos to 1e-14
 
 
+def test_a_pulse_many_communication_steps_ahead_is_seen():
+    _, speed = moved("1 if 1.3301 < t < 1.3302 else 0", "order 2", stop=2.0, step=0.01)
+    assert speed == pytest.approx(1e-4, abs=1e-14)
+
+
+def test_a_switch_comes_sooner_where_a_parameter_or_an_input_begins_to_change():
+    """Pushed from 1.55 s, 5 s at first, and from 1.13 s, as u goes up in 0.1 s."""
+    text = POINT.format(law="(1 if t > late else 0) + (10 if u > 0.3 else 0)", x=0, v=0)
+    text += '[inputs]\nu = { start = 0, interpolation = "ramp" }\n'
+    text += '[parameters]\nlate = { value = 5, variability = "tunable" }\n'
+    point = start(solver.assemble(solver.loads(text)), step_size=0.05)
+    for k in range(20):
+        if k == 10:
+            point["late"] = 1.55
+        if k == 11:
+            point["u"] = 1.0
+        point.advance(0.1 * k, 0.1)
+    assert float(point["A.vx"]) == pytest.approx(0.45 + 10 * 0.87, abs=1e-13)
+
+
 @pytest.mark.parametrize("kind", ["linear", "monotone"])
 def test_conditions_on_profiles_of_the_time_are_met(kind, tmp_path):
     """A saw of period 0.4 is above 0.9 in the last tenth of its ways up and the first ones down."""
