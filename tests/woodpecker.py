@@ -52,12 +52,10 @@ def mass_and_force(q: Array, v: Array) -> tuple[Array, Array]:
     arm, to_bird = turn(a, (TO_SPRING, 0.0)), turn(b, (TO_BIRD, 0.0))
     rate = np.array([[0.0, 1.0], across(arm), across(to_bird)]).T
     growth = -arm * v[1] ** 2 - to_bird * v[2] ** 2
-    M: Array = np.array(BIRD * (rate.T @ rate), float) + np.diag(
-        [SLEEVE, SLEEVE_INERTIA, BIRD_INERTIA]
-    )
+    M = BIRD * (rate.T @ rate) + np.diag([SLEEVE, SLEEVE_INERTIA, BIRD_INERTIA])
     spring = STIFFNESS * (b - a)
     force = rate.T @ (BIRD * (np.array([0.0, -GRAVITY]) - growth))
-    return M, force + np.array([-SLEEVE * GRAVITY, spring, -spring])
+    return np.asarray(M, np.float64), force + np.array([-SLEEVE * GRAVITY, spring, -spring])
 
 
 def moved(q: Array, v: Array, contact: int, mode: int) -> tuple[Array, Array]:
