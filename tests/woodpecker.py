@@ -55,7 +55,7 @@ def mass_and_force(q: Array, v: Array) -> tuple[Array, Array]:
     M = BIRD * (rate.T @ rate) + np.diag([SLEEVE, SLEEVE_INERTIA, BIRD_INERTIA])
     spring = STIFFNESS * (b - a)
     force = rate.T @ (BIRD * (np.array([0.0, -GRAVITY]) - growth))
-    return np.asarray(M, np.float64), force + np.array([-SLEEVE * GRAVITY, spring, -spring])
+    return M.astype(np.float64), force + np.array([-SLEEVE * GRAVITY, spring, -spring])
 
 
 def moved(q: Array, v: Array, contact: int, mode: int) -> tuple[Array, Array]:
