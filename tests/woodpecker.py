@@ -52,17 +52,18 @@ def mass_and_force(q: Array, v: Array) -> tuple[Array, Array]:
     arm, to_bird = turn(a, (TO_SPRING, 0.0)), turn(b, (TO_BIRD, 0.0))
     rate = np.array([[0.0, 1.0], across(arm), across(to_bird)]).T
     growth = -arm * v[1] ** 2 - to_bird * v[2] ** 2
-    M = BIRD * rate.T @ rate + np.diag([SLEEVE, SLEEVE_INERTIA, BIRD_INERTIA])
+    M = BIRD * (rate.T @ rate) + np.diag([SLEEVE, SLEEVE_INERTIA, BIRD_INERTIA])
     spring = STIFFNESS * (b - a)
     force = rate.T @ (BIRD * (np.array([0.0, -GRAVITY]) - growth))
-    return M, force + np.array([-SLEEVE * GRAVITY, spring, -spring])
+    weight = np.array([-SLEEVE * GRAVITY, spring, -spring], np.float64)
+    return np.array(M, np.float64), np.add(force, weight)
 
 
 def moved(q: Array, v: Array, contact: int, mode: int) -> tuple[Array, Array]:
     """Return v' and the normal force and friction of the contact."""
     M, force = mass_and_force(q, v)
     if mode == OPEN:
-        return np.linalg.solve(M, force), np.zeros(2)
+        return np.array(np.linalg.solve(M, force), np.float64), np.zeros(2)
     _, G, growth = rows_of(q, v, contact)
     held = G if mode == STICKS else G[:1]
     cone = {UP: -FRICTION, DOWN: FRICTION}.get(mode, 0.0)
