@@ -13,22 +13,22 @@ static inline double hm_length(int32_t n, const double *u)
     return n == 1 ? fabs(u[0]) : sqrt(sum);
 }
 
-/* Q R = A P by Householder's reflections with column pivoting. A (n x m) holds R above the diagonal and, with `head` (m, and m of
-   scratch), the vectors of the reflections; order (m): the column of A that stands at each place. Returns the rank: as many pivots as
+/* Q R = A P by Householder's reflections with column pivoting. A (n x m) holds R above the diagonal and, with `head` (m), the
+   vectors of the reflections; order (m): the column of A that stands at each place. Returns the rank: as many pivots as
    exceed `dependent` times the first one.                                                                       */
 HM_SELDOM static int32_t hm_triangulate(int32_t n, int32_t m, double *A, double *head, int32_t *order, double dependent)
 {
     const int32_t most = n < m ? n : m;
-    double first = 0.0, *sum = head + m; /* of each column: rows are contiguous */
+    double first = 0.0;
     for (int32_t c = 0; c < m; c++) order[c] = c;
     for (int32_t k = 0; k < most; k++) {
         int32_t pivot = k;
         double largest = -1.0;
-        for (int32_t c = k; c < m; c++) sum[c] = 0.0;
-        for (int32_t r = k; r < n; r++)
-            for (int32_t c = k; c < m; c++) sum[c] += hm_square(A[r * m + c]);
-        for (int32_t c = k; c < m; c++)
-            if (sum[c] > largest * (1.0 + 1e-12)) largest = sum[c], pivot = c;
+        for (int32_t c = k; c < m; c++) {
+            double sum = 0.0;
+            for (int32_t r = k; r < n; r++) sum += hm_square(A[r * m + c]);
+            if (sum > largest * (1.0 + 1e-12)) largest = sum, pivot = c;
+        }
         const double size = sqrt(largest);
         if (k == 0) first = size;
         if (!(size > dependent * first)) return k;
@@ -42,15 +42,13 @@ HM_SELDOM static int32_t hm_triangulate(int32_t n, int32_t m, double *A, double 
         const double a = A[k * m + k], end = a > 0.0 ? -size : size;
         head[k] = a - end;
         const double scale = end * head[k]; /* -|v|^2/2 */
-        for (int32_t c = k + 1; c < m; c++) sum[c] = head[k] * A[k * m + c];
-        for (int32_t r = k + 1; r < n; r++)
-            for (int32_t c = k + 1; c < m; c++) sum[c] += A[r * m + k] * A[r * m + c];
         for (int32_t c = k + 1; c < m; c++) {
-            sum[c] /= scale;
-            A[k * m + c] += sum[c] * head[k];
+            double sum = head[k] * A[k * m + c];
+            for (int32_t r = k + 1; r < n; r++) sum += A[r * m + k] * A[r * m + c];
+            sum /= scale;
+            A[k * m + c] += sum * head[k];
+            for (int32_t r = k + 1; r < n; r++) A[r * m + c] += sum * A[r * m + k];
         }
-        for (int32_t r = k + 1; r < n; r++)
-            for (int32_t c = k + 1; c < m; c++) A[r * m + c] += sum[c] * A[r * m + k];
         A[k * m + k] = end;
     }
     return most;
