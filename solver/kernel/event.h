@@ -139,6 +139,15 @@ static int forces_stand_still(const context *c)
     return 1;
 }
 
+/* Values of function k from minus this to this count as zero. */
+HM_SELDOM static double value_tolerance(const context *c, int32_t k)
+{
+    const int32_t f = k - c->m->n_contacts;
+    if (f < 0) return is_closed(c, k) ? force_tolerance(c) : 1e-15 * c->number[c->m->extent_at];
+    if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
+    return 1e-3 * speed_tolerance(c);
+}
+
 /* Where in a piece of length h from time t a force falls below the part of its larger value at both ends that is safe, and that of which
    function (`which`) falls deepest; 0 if none does. */
 static double find_dip(const context *c, double t, double h, event_values low, event_values high, int32_t *which)
@@ -150,7 +159,7 @@ static double find_dip(const context *c, double t, double h, event_values low, e
         if (!is_on) continue;
         double y[3] = {low.value[k], NAN, high.value[k]};
         const double largest = fmax(y[0], y[2]), lowest = lowest_margin(c, k, t, h, y);
-        if (lowest == lowest && y[1] < deepest * largest) deepest = y[1] / largest, place = lowest, *which = k;
+        if (lowest == lowest && largest > value_tolerance(c, k) && y[1] < deepest * largest) deepest = y[1] / largest, place = lowest, *which = k;
     }
     return place;
 }
@@ -195,15 +204,6 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
     }
     int32_t which;
     return find_dip(c, c->t - h, h, low, x, &which) == 0.0;
-}
-
-/* Values of function k from minus this to this count as zero. */
-HM_SELDOM static double value_tolerance(const context *c, int32_t k)
-{
-    const int32_t f = k - c->m->n_contacts;
-    if (f < 0) return is_closed(c, k) ? force_tolerance(c) : 1e-15 * c->number[c->m->extent_at];
-    if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
-    return 1e-3 * speed_tolerance(c);
 }
 
 enum { BISECTIONS = 60 }; /* more than a double has bits */

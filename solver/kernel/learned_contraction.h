@@ -38,7 +38,7 @@ static void trust_less(const context *c) { *learned(c) = fmin(FADING * *learned(
 static double known_contraction(const context *c, double first, double size)
 {
     const double known = *learned(c);
-    if (!(known > 0.0) || n_frictions(c->m)) return 1.0;
+    if (!(known > 0.0) || (n_frictions(c->m) && !c->asleep)) return 1.0;
     return fmin(is_lean(c) ? fmax(known * c->h * c->h, LEAST_LEAN_CONTRACTION) : fmax(known, LEAST_BEND) * first / size, 1.0);
 }
 

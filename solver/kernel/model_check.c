@@ -344,7 +344,7 @@ HM_SELDOM static int has_contacts(const checker *c)
     const holonom_model *m = c->m;
     const int64_t slips = c->length[TABLE(friction_row)], normals = c->length[TABLE(normal_row)] / 2;
     int64_t forces = 0;
-    if (m->unilateral > 1 || (!m->unilateral && (m->n_contacts || m->n_frictions)) || m->n_hit_rows > m->n_rows) return 0;
+    if (m->unilateral > 1 || (!m->unilateral && (m->n_contacts || m->n_frictions)) || m->n_hit_rows > 2 * m->n_rows) return 0;
     if (!HM_CONTACTS) return m->n_hit_forces == 0;
     if (!within(m->contact_row, m->n_contacts, m->n_elements, c->count.first_velocity) ||
         !within(m->friction_row, slips, c->count.first_velocity, c->count.first_potential))

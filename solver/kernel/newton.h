@@ -145,7 +145,7 @@ static void choose_lambda(const context *c, const newton_record *r)
 {
     const int is_short = r->begun < NEARLY_THERE * r->size;
     const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
-    c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && !is_unilateral(c->m) && (is_short || is_enough);
+    c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && (c->asleep || !is_unilateral(c->m)) && (is_short || is_enough);
 }
 
 /* Contraction up to which factors that leave out how forces of sliding frictions turn with the place are made like that again. In space

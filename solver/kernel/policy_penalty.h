@@ -45,7 +45,7 @@ static int may_update_early(const context *c, const newton_record *r)
 {
     if (r->theta >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
     const double rows = c->island[I_DEPENDENT];
-    if (rows == ROWS_ARE_INDEPENDENT && is_unilateral(c->m) && !c->stepping) return 0;
+    if (rows == ROWS_ARE_INDEPENDENT && is_unilateral(c->m) && !c->stepping && !c->asleep) return 0;
     const int is_short = r->iteration == 0 && r->eta < SHORT_INCREMENT * r->size;
     if (rows != ROWS_ARE_INDEPENDENT && r->iteration != 1 && !(rows == ROWS_ARE_DEPENDENT && is_short)) return 0;
     return r->iteration > 0 || constraint_defect(c) > UNBIASED;
