@@ -37,7 +37,7 @@ enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK, ROWS_CONTRADICT 
 #define SHORT_INCREMENT 1e-2
 
 /* Whether lambda may follow early, after this Newton iteration, and not at the end alone: the update costs no increment where another
-   one follows anyway, and that one leaves no part of the rows, whose energy would add up. With contacts and frictions that are
+   one follows anyway, and that one leaves no part of the rows, whose energy would add up. With contacts and frictions that are on and
    located it does not pay. Of dependent rows the part of the multipliers that is not determined gets the errors of a solve over epsilon, which
    the next one with lambda held removes: there the update comes once, after the second increment or a short first one.
    See theory 3.4. */
