@@ -162,7 +162,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     head[S_JAMS] = head[S_NEWTON_IMPACTS] = head[S_MIXED_IMPACTS] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
-        status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));
+        status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : take_functions(&c, moved || move_inputs(&c));
     }
     if (!status && c.tolerance > 0.0) follow_jumps(&c);
     if (repeated_by(&c)) status = status ? status : cover_by_mesh(&c, start, step);
@@ -187,6 +187,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         head[S_AT_FAULT] = c.at_fault;
         return status;
     }
+    keep_functions(&c, is_unilateral(m) && !is_stepped(&c) && !repeated_by(&c));
     end_inputs(&c, step);
     if (!(c.tolerance > 0.0)) head[S_EQUAL_TIME] += step;
     head[S_TIME] = start + step;

@@ -265,6 +265,37 @@ HM_SELDOM static void undo_piece(context *c, double t, double law_time) { restor
 
 enum { AT_LOW, AT_HIGH, AT_TRIAL };
 
+#define NOT_A_NUMBER_IN_STATE 1e300 /* a state is finite: of values this is infinity, of rates that none is known */
+
+/* The functions at the start of a communication step: those at the end of the last one, unless rates of inputs may have jumped since,
+   or forces are asked for where the first piece begins. */
+static int32_t take_functions(context *c, int inputs_move)
+{
+    const event_values low = values_at(c, AT_LOW);
+    if (c->s.head[S_FUNCTIONS_KNOWN] == 0.0 || inputs_move || slides_in_space(c)) return event_functions(c, low);
+    const int32_t n = c->m->n_contacts + c->m->n_frictions;
+    for (int32_t k = 0; k < n; k++) {
+        const double value = c->s.functions[k], rate = c->s.functions[n + k];
+        low.value[k] = value == NOT_A_NUMBER_IN_STATE ? INFINITY : value;
+        low.rate[k] = rate == NOT_A_NUMBER_IN_STATE ? NAN : rate;
+    }
+    return HOLONOM_OK;
+}
+
+/* Keeps those at the end of a communication step that located contacts, unless laws have jumped. */
+static void keep_functions(const context *c, int is_located)
+{
+    double *head = c->s.head;
+    head[S_FUNCTIONS_KNOWN] = is_located && head[S_STEPPED] == 0.0 && head[S_SWITCHED] == 0.0;
+    if (head[S_FUNCTIONS_KNOWN] == 0.0) return;
+    const event_values low = values_at(c, AT_LOW);
+    const int32_t n = c->m->n_contacts + c->m->n_frictions;
+    for (int32_t k = 0; k < n; k++) {
+        c->s.functions[k] = low.value[k] < INFINITY ? low.value[k] : NOT_A_NUMBER_IN_STATE;
+        c->s.functions[n + k] = low.rate[k] == low.rate[k] ? low.rate[k] : NOT_A_NUMBER_IN_STATE;
+    }
+}
+
 /* Finds the first event of a piece of length h from time t, whose functions at both ends are known, and leaves the state
    there; `covered` is its time, h if there is none. */
 HM_SELDOM static int32_t find_event(context *c, double t, double law_time, double h, double *covered)

@@ -306,6 +306,7 @@ HEAD = (
     "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
+    "functions_known",  # 1: `functions` are those of contacts and frictions at the state
     "shares",  # 1: what sticks shares its forces as rest_split.h tells, not as its rows do
     "stepped",  # whether a part of it was, see stepped.h
     "jams", "newton_impacts",  # impacts in it that jammed, and where Newton's law stood in for the
@@ -420,6 +421,7 @@ STATE = {
     "turn_before_first": "n_turns", "turn_before_second": "n_turns",
     "turn_missed": "n_turns * n_slots",
     "mean": "n_rows", "mean_before": "n_rows",  # of the last two multipliers, and those before
+    "functions": "2 * (n_contacts + n_frictions)",  # and their rates, see event.h
     "shift": "n_rows * unilateral",  # of multipliers, where what sticks shares its forces
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise

@@ -14,6 +14,7 @@ import pytest
 from scipy.optimize import linprog
 
 import solver
+from tests.twins import start
 
 G = 9.81
 PLANE = 'name = "rest"\ndimension = 2\n'
@@ -426,3 +427,38 @@ def test_belts_that_part_pull_a_block_to_both_sides():
     assert (found["r.mode"] == 2).all()
     assert abs(found["l.friction"][1:]) == pytest.approx(0.4 * G / 2, rel=1e-9)
     assert found["b.x"][-1] - found["b.x"][0] == pytest.approx(0.5 * 0.5 * 0.5**2, rel=1e-9)
+
+
+def test_the_functions_at_a_communication_point_are_those_of_the_step_before():
+    """Those in the state are what the next step would find: N = m g/4 of each foot, the gap of a ball
+    that has fallen for 0.1 s; a step that finds them anew does the same.
+    """
+    scene = solver.loads("""
+name = "parked"
+gravity = [0, 0, -9.81]
+[bodies.box]
+position = [0, 0, 0.1]
+mass = 4
+inertia = [1, 1, 1]
+[points]
+ball = { position = [5, 0, 3], mass = 1.0 }
+[contacts]
+feet = { type = "corners", body = "box", size = [0.4, 0.4, 0.2], axis = [0, 0, 1] }
+floor = { type = "plane", point = "ball", axis = [0, 0, 1] }
+""")
+    run = start(solver.assemble(scene), step_size=0.01)
+    for k in range(10):
+        run.advance(0.01 * k, 0.01)
+    values, _ = np.split(np.array(run.state.vectors["functions"]), 2)
+    closed = np.sort(values)[-4:]
+    assert run.state.head["functions_known"] == 1.0
+    assert closed == pytest.approx(4 * [G], rel=1e-9)
+    gap = 3 - 0.5 * G * 0.1**2
+    assert values[np.argmin(abs(values - gap))] == pytest.approx(gap, rel=1e-12)
+    kept, ends = run.save(), []
+    for known in (1.0, 0.0):
+        run.restore(kept)
+        run.state.head["functions_known"] = known
+        run.advance(0.1, 0.01)
+        ends.append([float(run[name]) for name in ("ball.z", "box.z", "ball.vz")])
+    assert ends[0] == ends[1]
