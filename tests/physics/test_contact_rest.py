@@ -430,8 +430,9 @@ def test_belts_that_part_pull_a_block_to_both_sides():
 
 
 def test_the_functions_at_a_communication_point_are_those_of_the_step_before():
-    """Those in the state are what the next step would find: N = m g/4 of each foot, the gap of a ball
-    that has fallen for 0.1 s; a step that finds them anew does the same.
+    """Those in the state are m g/4 of each foot, and the gap of a ball that has fallen for 0.1 s.
+
+    A step that finds them anew does the same.
     """
     scene = solver.loads("""
 name = "parked"
