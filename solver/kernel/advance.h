@@ -156,13 +156,14 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     const int moved = move_inputs(&c);
     int32_t status = start_inputs(&c, step);
     set_laws(&c, start, 0);
-    if (moved || move_inputs(&c)) settle_sides(&c, start, 1); /* slopes tell where inputs go */
+    const int moves = moved || move_inputs(&c);
+    if (moves) settle_sides(&c, start, 1); /* slopes tell where inputs go */
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = head[S_SWITCHED] = 0.0;
     head[S_JAMS] = head[S_NEWTON_IMPACTS] = head[S_MIXED_IMPACTS] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
-        status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : take_functions(&c, moved || move_inputs(&c));
+        status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : take_functions(&c, moves);
     }
     if (!status && c.tolerance > 0.0) follow_jumps(&c);
     if (repeated_by(&c)) status = status ? status : cover_by_mesh(&c, start, step);

@@ -89,13 +89,12 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     int32_t status = has_forces(c) ? evaluate_forces(c) : HOLONOM_OK;
     c->together = 0;
     for (int32_t i = 0; i < m->n_contacts && !status; i++) {
-        x.value[i] = is_closed(c, i) ? normal_of(c, i) : gap_of(c, i);
+        x.value[i] = is_closed(c, i) ? force_margin(c, i, c->k.event_mu) : gap_of(c, i);
         x.rate[i] = is_closed(c, i) ? NAN : gap_rate(c, i);
     }
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions && !status; f++, k++) {
         const int mode = friction_mode(c, f);
-        x.value[k] = INFINITY, x.rate[k] = NAN;
-        if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, c->k.event_mu, NULL);
+        x.value[k] = force_margin(c, k, c->k.event_mu), x.rate[k] = NAN;
         if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
     }
     if (status || !has_forces(c)) return status;

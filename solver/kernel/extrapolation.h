@@ -86,13 +86,13 @@ static int32_t take_weighted(context *c, const double *booked)
     gain_together(c, gained);
     if (c->m->n_driven) follow_drivers(c);
     else signal_rates_at(c, c->t, c->k.signal_rate);
-    suspend_sliding(c, NULL, 1); /* no friction answers the corrections */
+    suspend_sliding(c, 1); /* no friction answers the corrections */
     context at = rows_at_state(c);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
     int unused;
     if (!status) status = put_back(c, &at, &unused);
-    suspend_sliding(c, NULL, 0);
+    suspend_sliding(c, 0);
     follow_turns(c);
     return status;
 }

@@ -220,13 +220,13 @@ static void follow_cones(const context *c)
     }
 }
 
-/* Switches sliding frictions off (their mode changes its sign, which counts as off), but those that `kept` marks, or on again: part
-   of the velocities that they bring about would not be orthogonal to what rows allow.                           */
-static void suspend_sliding(const context *c, const double *kept, int suspended)
+/* Switches sliding frictions off (their mode changes its sign, which counts as off), or on again: part of the velocities that they
+   bring about would not be orthogonal to what rows allow.                                                       */
+static void suspend_sliding(const context *c, int suspended)
 {
     for (int32_t f = 0; f < n_frictions(c->m); f++) {
         double *x = friction_of(c, f);
-        if (!(kept && kept[f] != 0.0) && x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
+        if (x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
     }
 }
 

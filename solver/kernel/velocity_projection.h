@@ -39,11 +39,11 @@ HM_SELDOM static void add_defect(const context *c, double sign)
 /* Likewise, with new factors and without what sliding frictions do. */
 HM_SELDOM static int32_t find_disallowed(context *c)
 {
-    suspend_sliding(c, NULL, 1);
+    suspend_sliding(c, 1);
     stand_still(c);
     const int32_t status = factorise_at_state(c, NULL);
     if (!status) find_defect(c);
-    suspend_sliding(c, NULL, 0);
+    suspend_sliding(c, 0);
     return status;
 }
 

@@ -22,7 +22,7 @@ static void keep_first_stage(const context *c)
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = c->h * c->k.mu[i];
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t row = row_of(c, c->m->contact_row[i]);
-        touch_of(c, i)->lands = is_closed(c, i) && touch_of(c, i)->was_closed == 0.0 ? LANDS : 0.0;
+        touch_of(c, i)->lands = is_landing(c, i) ? LANDS : 0.0;
         touch_of(c, i)->taken = is_closed(c, i) ? c->k.mu[row] * c->k.change[row] : 0.0;
     }
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
@@ -288,7 +288,7 @@ static int32_t hold(context *c, int slips_alone)
     const int driven = is_driven(c);
     int32_t status = HOLONOM_OK;
     for (int again = 1; again && !status;) {
-        suspend_sliding(c, NULL, 1);
+        suspend_sliding(c, 1);
         stand_still(c);
         if (!slips_alone) {
             forget_dependent_rows(c);
@@ -308,7 +308,7 @@ static int32_t hold(context *c, int slips_alone)
             if (!again && !slips_alone) add_parting(c, c->k.hit_defect);
             if (!again) add_velocities(c, c->k.hit_defect, driven);
         }
-        suspend_sliding(c, NULL, 0);
+        suspend_sliding(c, 0);
     }
     return status;
 }
