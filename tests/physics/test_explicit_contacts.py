@@ -76,12 +76,19 @@ def test_a_mass_that_slides_in_a_bowl_swings_as_a_pendulum(tolerance):
         angle = 2 * math.asin(modulus * sn)
         assert run["mass.x"] == pytest.approx(math.sin(angle), abs=3 * tolerance)
         speed2 = 2 * G * (math.cos(angle) - math.cos(1.2))
-        assert run["wall.force"] == pytest.approx(0.7 * (speed2 + G * math.cos(angle)), rel=100 * tolerance)
+        assert run["wall.force"] == pytest.approx(
+            0.7 * (speed2 + G * math.cos(angle)), rel=100 * tolerance
+        )
 
 
 def test_a_rocking_block_keeps_housners_share_of_its_turning_speed():
     """Steps between its landings are explicit: it sticks to the floor at one edge."""
-    run = start(holonom.assemble(holonom.load(SCENES / "rocking_block.toml")), order=0, tolerance=1e-9, method="fastest")
+    run = start(
+        holonom.assemble(holonom.load(SCENES / "rocking_block.toml")),
+        order=0,
+        tolerance=1e-9,
+        method="fastest",
+    )
     share = 1 - 1.5 * math.sin(math.atan2(0.1, 0.3)) ** 2
     peaks, methods = [run["energy.kinetic"] + run["energy.potential"]], set()
     while len(peaks) < 4:

@@ -31,7 +31,9 @@ SETTINGS = [
 
 
 def run(settings, floor, second=FAR):
-    pendulum = start(solver.assemble(solver.loads(PENDULUM.format(floor=floor, second=second))), **settings)
+    pendulum = start(
+        solver.assemble(solver.loads(PENDULUM.format(floor=floor, second=second))), **settings
+    )
     pendulum.advance(0.0, STEP)
     return pendulum
 
@@ -57,7 +59,9 @@ def height_error(settings):
 def test_a_tip_that_passes_through_the_floor_within_a_step_hits_it(depth, settings):
     pendulum = run(settings, -1 + depth)
     assert pendulum["solver.events"] == 1
-    assert turning_height(pendulum) == pytest.approx(height_after_impact(depth), abs=height_error(settings))
+    assert turning_height(pendulum) == pytest.approx(
+        height_after_impact(depth), abs=height_error(settings)
+    )
 
 
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
@@ -74,4 +78,6 @@ def test_a_tip_that_just_misses_hides_no_other_impact_of_the_step(settings):
     pendulum = run(settings, -1 - 1e-5, second=-1 + 1e-5)
     assert pendulum["solver.events"] == 1
     assert turning_height(pendulum) == pytest.approx(-0.6, abs=1e-12)
-    assert turning_height(pendulum, "Q") == pytest.approx(height_after_impact(1e-5), abs=height_error(settings))
+    assert turning_height(pendulum, "Q") == pytest.approx(
+        height_after_impact(1e-5), abs=height_error(settings)
+    )
