@@ -45,7 +45,7 @@ hill = { type = "sphere", points = ["bead", "centre"], radii = [0.5, 1.5] }
 
 @pytest.mark.parametrize("tolerance", TOLERANCES)
 def test_a_bead_leaves_a_round_hill_where_nothing_presses_it(tolerance):
-    """From speed u on top, where cos(angle) is 2/3 + u^2/(3 g R); it is as fast aside from there."""
+    """From speed u on top: where cos(angle) is 2/3 + u^2/(3 g R). It keeps vx then."""
     run = fastest(HILL, tolerance)
     assert advance(run, 0.1, 14) == {EXPLICIT}
     cosine = 2 / 3 + 0.5**2 / (3 * G * 2)

@@ -17,9 +17,18 @@ Q = {{ position = [2.8, -0.6], mass = 1.0 }}
 [joints]
 rod = {{ type = "distance", points = ["ground", "P"], at = [0, 0], length = 1.0 }}
 other = {{ type = "distance", points = ["ground", "Q"], at = [2, 0], length = 1.0 }}
-[contacts]
-floor = {{ type = "plane", point = "P", axis = [0, 1], position = [0, {floor}], restitution = {bounce} }}
-second = {{ type = "plane", point = "Q", axis = [0, 1], position = [0, {second}], restitution = {bounce} }}
+[contacts.floor]
+type = "plane"
+point = "P"
+axis = [0, 1]
+position = [0, {floor}]
+restitution = 0.5
+[contacts.second]
+type = "plane"
+point = "Q"
+axis = [0, 1]
+position = [0, {second}]
+restitution = 0.5
 """
 FAR = -5.0
 STEP = 1.0  # P passes its lowest place at 0.53 s, and is about as high as at the start at its end
@@ -32,7 +41,7 @@ SETTINGS = [
 
 def run(settings, floor, second=FAR):
     pendulum = start(
-        solver.assemble(solver.loads(PENDULUM.format(floor=floor, second=second, bounce=0.5))),
+        solver.assemble(solver.loads(PENDULUM.format(floor=floor, second=second))),
         **settings,
     )
     pendulum.advance(0.0, STEP)
