@@ -331,8 +331,10 @@ HM_SELDOM static int hold_still(context *c)
     return held;
 }
 
+#define TURNING_STIFFNESS 0.6 /* over the sum of those of the rows */
+
 /* Turns slips of several rates that are about to begin towards the way in which they grow; 0 if they begin so. With a
-   stiffness no less than that of the rows, a step to the friction that stops the slip and back to the cone converges. */
+   stiffness of more than half of that of the rows, a step to the friction that stops the slip and back to the cone converges. */
 HM_SELDOM static int turn_beginning_slips(const context *c)
 {
     int turned = 0;
@@ -340,7 +342,7 @@ HM_SELDOM static int turn_beginning_slips(const context *c)
         const int n = n_slips(c, f);
         double *along = friction_of(c, f) + F_ALONG_1, pull[3], growth[3], stiffness = 0.0, size2 = 0.0;
         if (n < 2 || friction_mode(c, f) != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_tolerance(c)) continue;
-        for (int k = 0; k < n; k++) stiffness += c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
+        for (int k = 0; k < n; k++) stiffness += TURNING_STIFFNESS * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
         const double force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
         slip_changes(c, f, growth);
         for (int k = 0; k < n; k++) {

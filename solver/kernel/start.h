@@ -439,6 +439,19 @@ HM_SELDOM static int has_sliding_joint(const context *c)
     return 0;
 }
 
+#define REFINED 1e-14
+
+/* Whether a refinement has changed multipliers mu, to which it has been added, by rounding alone. */
+HM_SELDOM static int is_refined(const context *c, const double *mu)
+{
+    double most = 0.0, change = 0.0;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        most = fmax(most, c->number[c->m->row_sigma_at + i] * mu[i] * mu[i]);
+        change = fmax(change, c->number[c->m->row_sigma_at + i] * c->k.mu[i] * c->k.mu[i]);
+    }
+    return change <= REFINED * REFINED * most;
+}
+
 /* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined with the factors
    at hand: light directions cost digits. */
 HM_SELDOM static int32_t accelerations(context *c, double *mu)
@@ -464,6 +477,7 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
         solve_with_factors(c);
         add_solution(c, c->k.w);
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
+        if (slides_in_space(c) && is_refined(c, mu)) break; /* each refinement runs its slips */
     }
     c->cone_mu = c->k.mu;
     return status;

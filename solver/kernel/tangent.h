@@ -73,7 +73,7 @@ static void composite_stiffness(const context *c, int32_t j, int32_t size)
 static int32_t composite_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
-    int32_t before = -1;
+    int32_t before = -1, size = 0;
     EACH_COMPOSITE(c, j) {
         const int32_t *slot = c->lu->composite_slot + c->lu->composite_slot_ptr[j];
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
@@ -84,8 +84,8 @@ static int32_t composite_tangent(const context *c, double *value)
         const int is_stiff = !is_lean(c) && factor != 0.0 && !(c->soft && state == ROW_IS_SLIDING);
         const int32_t status = next_slopes(c, before, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS, &result);
         if (status) return status;
+        if (!is_next_slip(c, before, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS)) size = local_gradients(c, j);
         before = j;
-        const int32_t size = local_gradients(c, j);
         if (!is_lean(c) && !is_stiff) slot += size * size;
         if (is_stiff) {
             const double *block = c->k.block;
