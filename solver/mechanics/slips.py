@@ -97,9 +97,7 @@ def sliding(
     return total
 
 
-def slips_along(
-    tangents: Sequence[Vector], velocity: Callable[[Vector], Formula]
-) -> list[Formula]:
+def slips_along(tangents: Sequence[Vector], velocity: Callable[[Vector], Formula]) -> list[Formula]:
     """Return slip rates along tangents; `velocity` returns that along any vector.
 
     In space those along the axes make both of them, with fewer operations.

@@ -396,7 +396,7 @@ class Numbers:
     def _compiled(
         self, values: Sequence[Number], n_leaves: int
     ) -> tuple[list[tuple[int, ...]], list[int]]:
-        """Return the operations of formulas over the same leaves, and the registers of their values.
+        """Return the operations of formulas over leaves, and the registers of their values.
 
         Registers hold the leaves, then one result each; -1 - place stands for a number.
         """
