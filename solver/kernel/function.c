@@ -218,9 +218,13 @@ HM_OFTEN void pass_back(const int32_t *op, int32_t at, const hm_registers *r)
     for (int k = 1; k < 3 && reads_grid(op[0]); k++) r->adjoint[first + k] += adjoint * slope[k];
 }
 
-static inline void start_adjoints(int32_t count, const hm_registers *r)
+#define MANY_REGISTERS 32 /* for which a call of memset pays */
+
+HM_OFTEN void start_adjoints(int32_t count, const hm_registers *r)
 {
-    memset(r->adjoint, 0, sizeof(double) * (size_t)count);
+    if (count > MANY_REGISTERS) memset(r->adjoint, 0, sizeof(double) * (size_t)count);
+    else
+        for (int32_t i = 0; i < count; i++) r->adjoint[i] = 0.0;
     r->adjoint[count - 1] = 1.0;
 }
 
@@ -243,11 +247,12 @@ void hm_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operation
 {
     const hm_registers one = {r->r0, r->r0, r->dr, r->adjoint, r->slope}; /* both ends are one */
     const double *x = r->r0;
-    memset(r->dr, 0, sizeof(double) * (size_t)(n_leaves + n_operations));
     start_adjoints(n_leaves + n_operations, r);
     for (int32_t k = n_operations - 1; k >= still; k--) {
         const int32_t *op = operation + 4 * (int64_t)k;
         if (!is_arithmetic(op)) {
+            for (int i = 1; i <= 2; i++)
+                if (op[i] >= 0) r->dr[op[i]] = 0.0;
             find_slopes(op, n_leaves + k, numbers, &one);
             pass_back(op, n_leaves + k, r);
             continue;
@@ -265,6 +270,7 @@ int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t
     int moves = 0;
     for (int32_t i = 0; i < n_leaves && !moves; i++) moves = r->dr[i] != 0.0 || r->r0[i] != r->r1[i];
     if (!moves) {
+        for (int32_t i = n_leaves; i < count; i++) r->dr[i] = 0.0;
         hm_value(operation, n_leaves, n_operations, 0, numbers, r->r0);
         hm_gradient(operation, n_leaves, n_operations, 0, numbers, r);
         return count - 1;
