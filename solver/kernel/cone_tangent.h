@@ -23,49 +23,53 @@ static const int32_t *lower_slots(const context *c, int32_t j)
     return c->lu->composite_slot + c->lu->composite_slot_ptr[j] + size + (is_lean(c) ? 0 : size * size);
 }
 
-/* Adds to the tangent how friction f, of several rows or smooth, turns with its slip, of this size: epsilon d lambda_k/d psi_l
-   d psi_l/d w. */
-HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const double *along, double slip, double *value)
+/* Adds to the tangent how a friction of several rows, or a smooth one, turns with its slip of row j, epsilon d lambda_k/d psi_j
+   d psi_j/d w; the slopes of j and their gradients, over so many unknowns, are at hand. */
+HM_SELDOM static void turning_tangent(const context *c, int32_t j, int32_t size, double *value)
 {
     const holonom_model *m = c->m;
+    const int32_t f = owner_of(c, j) - m->n_contacts, forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+    const int32_t *node = m->composite_node + m->composite_node_ptr[j], *end = m->composite_node + m->composite_node_ptr[j + 1];
+    double along[3], turn[3];
+    if (n_slips(c, f) == 1 && !is_smooth(c, f)) return;
+    const double slip = slip_direction(c, f, along);
+    const int32_t *slots[3];
     /* A slip that is stopped overshoots by the slope of its law, and comes back so, for ever; by a part of the chord it does not. */
     const double turns = c->careful && is_smooth(c, f) ? 0.5 : 1.0;
     const double per_slip = slip != 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
-    for (int l = 0; l < n_slips(c, f) && per_slip != 0.0; l++) {
-        const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
-        const int32_t *node = m->composite_node + m->composite_node_ptr[j], *end = m->composite_node + m->composite_node_ptr[j + 1];
-        composite_result result = {0.0, 0.0, 0.0};
-        const int32_t status = composite_slopes(c, j, WITH_ENDS, &result);
-        if (status) return status;
-        const int32_t size = local_gradients(c, j);
-        for (int32_t at = 0, next = 0; node < end; node++) { /* each unknown once */
-            if (*node < next) continue;
-            next = next_unknown(c, first_of_unknown(c, *node));
-            for (int i = 0; i < unknown_size(c, *node); i++, at++) {
-                double slope = 0.0; /* d psi_l/d w */
-                for (int32_t k = 0; k < forms; k++) slope += c->k.end[k] * c->k.gradient_end[size * k + at] / c->h;
-                for (int k = 0; k < n_slips(c, f); k++) {
-                    const int32_t own = slip_row(c, f, k), place = place_of_unknown(c, own, *node);
-                    const double turn = per_slip * ((k == l) - turns * along[k] * along[l]) * slope;
-                    if (place >= 0) value[lower_slots(c, own)[place + i]] += c->k.epsilon[row_of(c, own)] * turn;
-                }
+    if (per_slip == 0.0) return;
+    int l = 0;
+    while (slip_row(c, f, l) != j) l++;
+    for (int k = 0; k < n_slips(c, f); k++) {
+        slots[k] = lower_slots(c, slip_row(c, f, k));
+        turn[k] = per_slip * ((k == l) - turns * along[k] * along[l]);
+    }
+    for (int32_t at = 0, next = 0; node < end; node++) { /* each unknown once */
+        if (*node < next) continue;
+        next = next_unknown(c, first_of_unknown(c, *node));
+        const int32_t count = unknown_size(c, *node);
+        for (int k = 0; k < n_slips(c, f); k++) {
+            const int32_t own = slip_row(c, f, k), place = own == j ? at : place_of_unknown(c, own, *node);
+            for (int i = 0; i < count && place >= 0; i++) {
+                double slope = 0.0; /* d psi_j/d w */
+                for (int32_t g = 0; g < forms; g++) slope += c->k.end[g] * c->k.gradient_end[size * g + at + i] / c->h;
+                value[slots[k][place + i]] += c->k.epsilon[row_of(c, own)] * (turn[k] * slope);
             }
         }
+        at += count;
     }
-    return HOLONOM_OK;
 }
 
-/* Adds to the tangent epsilon times the derivatives of the multipliers of sliding frictions: with respect to the multipliers
-   of their normal forces and, of several rows, to the velocities. */
-HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
+/* Adds to the tangent epsilon times the derivatives of the multipliers of sliding frictions with respect to the multipliers of
+   their normal forces. */
+HM_SELDOM static void cone_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
-    int32_t status = HOLONOM_OK;
     for (int32_t f = 0; f < m->n_frictions && c->sliding; f++) {
         double along[3], root = 0.0;
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
         const int32_t *slot = c->lu->cone_slot + c->lu->cone_slot_ptr[f];
-        const double slip = slip_direction(c, f, along);
+        slip_direction(c, f, along);
         for (int k = 0; k < n_slips(c, f); k++)
             for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1]; at++) {
                 const int32_t row = m->normal_row[2 * at], how = m->normal_row[2 * at + 1];
@@ -74,10 +78,7 @@ HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
                 const double epsilon = c->k.epsilon[row_of(c, slip_row(c, f, k))];
                 value[*slot++] += c->lagged ? 0.0 : epsilon * c->number[m->sliding_at + f] * slope * along[k];
             }
-        if ((n_slips(c, f) > 1 || is_smooth(c, f)) && !c->at_state) status = turning_tangent(c, f, along, slip, value);
-        if (status) return status;
     }
-    return status;
 }
 
 #endif

@@ -56,6 +56,30 @@ HM_SELDOM static double second_rate_of_row(const context *c, int32_t j)
     return function_rate(c, j, c->s.q, c->s.q_low, c->k.w, c->s.signal, none) + bias;
 }
 
+/* Rates of the slips of friction f in the motion v, at the state. */
+static void slips_in_motion(const context *c, int32_t f, const double *v, const double *signal_rate, double *rate)
+{
+    for (int k = 0; k < n_slips(c, f); k++)
+        rate[k] = next_rate(c, k > 0 ? slip_row(c, f, k - 1) : -1, slip_row(c, f, k), c->s.q, c->s.q_low, v, c->s.signal, signal_rate);
+}
+
+/* Likewise with the velocities. */
+static inline void slip_rates(const context *c, int32_t f, double *slip) { slips_in_motion(c, f, c->s.v, c->k.signal_rate, slip); }
+
+/* How fast they change, with the accelerations in w. */
+HM_SELDOM static void slip_changes(const context *c, int32_t f, double *change)
+{
+    double own[3], *none = c->k.signal_before, *rest = c->k.ahead;
+    memset(none, 0, sizeof(double) * (size_t)c->m->n_signals);
+    memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    slips_in_motion(c, f, rest, c->k.signal_rate, own);
+    slips_in_motion(c, f, c->k.w, none, change);
+    for (int k = 0; k < n_slips(c, f); k++) {
+        const int32_t j = slip_row(c, f, k);
+        change[k] += next_bias(c, k > 0 ? slip_row(c, f, k - 1) : -1, j) - own[k] + c->k.drift[row_of(c, j)];
+    }
+}
+
 /* Normal force of contact i at the state, after evaluate_forces. */
 static double normal_of(const context *c, int32_t i) { return -c->k.event_mu[row_of(c, c->m->contact_row[i])]; }
 
@@ -72,7 +96,8 @@ static double friction_force(const context *c, int32_t f, const double *mu, doub
 static double slip_of(const context *c, int32_t f, double *along)
 {
     double slip[3], size2 = 0.0;
-    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(slip[k] = rate_of_row(c, slip_row(c, f, k)));
+    slip_rates(c, f, slip);
+    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(slip[k]);
     for (int k = 0; k < n_slips(c, f) && along; k++) along[k] = size2 > 0.0 ? slip[k] / sqrt(size2) : 0.0;
     return sqrt(size2);
 }
@@ -244,7 +269,8 @@ HM_SELDOM static int32_t torn_loose(const context *c, double *along)
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double growth[3], size2 = 0.0;
         if (friction_mode(c, f) != FRICTION_STICKS) continue;
-        for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(growth[k] = second_rate_of_row(c, slip_row(c, f, k)));
+        slip_changes(c, f, growth);
+        for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(growth[k]);
         const double size = sqrt(size2), sigma = c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))];
         if (!(size > fmax(most, GIVEN_BY_FORCE * sigma * friction_force(c, f, c->k.event_mu, NULL)))) continue;
         most = size, fastest = f;
@@ -267,9 +293,9 @@ HM_SELDOM static int tear_loose(context *c)
 /* Rate at which the slip of friction f grows along its direction. */
 HM_SELDOM static double slip_growth(const context *c, int32_t f)
 {
-    double sum = 0.0;
-    for (int k = 0; k < n_slips(c, f); k++)
-        sum += friction_of(c, f)[F_ALONG_1 + k] * second_rate_of_row(c, slip_row(c, f, k));
+    double growth[3], sum = 0.0;
+    slip_changes(c, f, growth);
+    for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * growth[k];
     return sum;
 }
 
@@ -294,9 +320,10 @@ HM_SELDOM static int hold_still(context *c)
 {
     int held = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        double growth2 = 0.0;
+        double growth[3], growth2 = 0.0;
         if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c)) continue;
-        for (int k = 0; k < n_slips(c, f); k++) growth2 += hm_square(second_rate_of_row(c, slip_row(c, f, k)));
+        slip_changes(c, f, growth);
+        for (int k = 0; k < n_slips(c, f); k++) growth2 += hm_square(growth[k]);
         if (growth2 > hm_square(growth_tolerance(c))) continue;
         let_stick(c, f);
         held = 1;
@@ -304,19 +331,22 @@ HM_SELDOM static int hold_still(context *c)
     return held;
 }
 
+#define TURNING_STIFFNESS 0.6 /* over the sum of those of the rows */
+
 /* Turns slips of several rates that are about to begin towards the way in which they grow; 0 if they begin so. With a
-   stiffness no less than that of the rows, a step to the friction that stops the slip and back to the cone converges. */
+   stiffness of more than half of that of the rows, a step to the friction that stops the slip and back to the cone converges. */
 HM_SELDOM static int turn_beginning_slips(const context *c)
 {
     int turned = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         const int n = n_slips(c, f);
-        double *along = friction_of(c, f) + F_ALONG_1, pull[3], stiffness = 0.0, size2 = 0.0;
+        double *along = friction_of(c, f) + F_ALONG_1, pull[3], growth[3], stiffness = 0.0, size2 = 0.0;
         if (n < 2 || friction_mode(c, f) != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_tolerance(c)) continue;
-        for (int k = 0; k < n; k++) stiffness += c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
+        for (int k = 0; k < n; k++) stiffness += TURNING_STIFFNESS * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
         const double force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
+        slip_changes(c, f, growth);
         for (int k = 0; k < n; k++) {
-            pull[k] = force * along[k] + second_rate_of_row(c, slip_row(c, f, k)) / stiffness;
+            pull[k] = force * along[k] + growth[k] / stiffness;
             size2 += hm_square(pull[k]);
         }
         for (int k = 0; k < n && size2 > 0.0; k++) {

@@ -98,30 +98,40 @@ static void follow_energies(context *c)
     head[S_LEDGER_ERROR] = relative_balance(c, ledger_balance(c, kinetic, potential));
 }
 
-/* Rate of function row j, or value of velocity row j, as below. */
-static double function_rate(const context *c, int32_t j, const double *x, const double *x_low, const double *v,
-                            const double *signal, const double *signal_rate)
+/* Rate of function row j, or value of velocity row j, as below; `before`: the row whose rate was computed last, with the same
+   arguments; -1: any. */
+static double next_rate(const context *c, int32_t before, int32_t j, const double *x, const double *x_low, const double *v,
+                        const double *signal, const double *signal_rate)
 {
     const holonom_model *m = c->m;
     const hm_registers *r = &c->k.r;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
     double *change = c->k.leaves;
+    if (is_next_slip(c, before, j, SLOPES_ALONE)) return value_of_leaves(c, j, c->m->function_known[j - first_function(c)]);
     for (int32_t l = 0; l < n; l++, entry += 4) {
         if (entry[0] == LEAF_SIGNAL) {
             r->r0[l] = signal[entry[1]];
             change[l] = signal_rate[entry[1]];
-        } else {
+        } else if (entry[0] == LEAF_RATE && l > 0 && entry[-4] == LEAF_VALUE && entry[-3] == entry[1])
+            r->r0[l] = change[l] = change[l - 1]; /* as slips have the places and rates of axes */
+        else {
             r->r0[l] = quantity_at(c, entry[1], x, x_low, v, change + l);
             if (entry[0] == LEAF_RATE) r->r0[l] = change[l];
         }
         r->r1[l] = r->r0[l];
         r->dr[l] = 0.0;
     }
-    if (j >= first_velocity_row(c)) return value_of_leaves(c, j);
+    if (j >= first_velocity_row(c)) return value_of_leaves(c, j, 0);
     double rate = 0.0;
     run_function(c, j);
     for (int32_t l = 0; l < n; l++) rate += r->adjoint[l] * change[l];
     return rate;
+}
+
+static double function_rate(const context *c, int32_t j, const double *x, const double *x_low, const double *v,
+                            const double *signal, const double *signal_rate)
+{
+    return next_rate(c, -1, j, x, x_low, v, signal, signal_rate);
 }
 
 /* Rates of the rows at hand that hold (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values

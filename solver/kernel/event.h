@@ -45,8 +45,9 @@ static int has_forces(const context *c)
 /* Slip of friction f at the state, along the direction in which it slides. */
 static double slip_along(const context *c, int32_t f)
 {
-    double sum = 0.0;
-    for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * rate_of_row(c, slip_row(c, f, k));
+    double slip[3], sum = 0.0;
+    slip_rates(c, f, slip);
+    for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * slip[k];
     return sum;
 }
 
@@ -163,6 +164,20 @@ static double find_dip(const context *c, double t, double h, event_values low, e
     return place;
 }
 
+/* Whether a slip in space has not stopped in a piece of length h, at whose start it was v0, with the rate r0, and at whose end it is v1:
+   the parabola through these keeps a good part of the lesser one, and a slip that stops in a piece like this one is foreseen by its
+   rate at the end (overwritten; the mean on entry), of which half would do. */
+#define SAFE_SLIP 0.5
+#define FORESEEN 2.0
+
+static int is_quiet_slip(double h, double v0, double r0, double v1, double *rate)
+{
+    const double bend = *rate - r0, lesser = fmin(v0, v1);
+    *rate += bend;
+    const double lowest = r0 < 0.0 && *rate > 0.0 ? v0 - 0.25 * h * r0 * r0 / bend : lesser;
+    return lesser > 0.0 && lowest > SAFE_SLIP * lesser && v1 > -FORESEEN * h * *rate;
+}
+
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
    two means extrapolate. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
 static int is_quiet(context *c, double h, event_values low, event_values x)
@@ -197,6 +212,10 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
         } else if (mode == FRICTION_SLIDES && !is_smooth(c, f)) {
             x.value[k] = slip_along(c, f);
             x.rate[k] = (x.value[k] - low.value[k]) / h;
+            if (n_slips(c, f) > 1 && low.rate[k] == low.rate[k]) {
+                if (!is_quiet_slip(h, low.value[k], low.rate[k], x.value[k], x.rate + k)) return 0;
+                continue;
+            }
             const double change = SAFE_WAYS * h * fmax(fabs(x.rate[k]), low.rate[k] == low.rate[k] ? fabs(low.rate[k]) : 0.0);
             if (!(x.value[k] > change && low.value[k] > change)) return 0;
         }
@@ -279,7 +298,8 @@ enum { AT_LOW, AT_HIGH, AT_TRIAL };
 static int32_t take_functions(context *c, int inputs_move)
 {
     const event_values low = values_at(c, AT_LOW);
-    if (c->s.head[S_FUNCTIONS_KNOWN] == 0.0 || inputs_move || slides_in_space(c)) return event_functions(c, low);
+    const int asks_forces = c->s.head[S_ORDER_IN_USE] > 2.0 && slides_in_space(c);
+    if (c->s.head[S_FUNCTIONS_KNOWN] == 0.0 || inputs_move || asks_forces) return event_functions(c, low);
     const int32_t n = c->m->n_contacts + c->m->n_frictions;
     for (int32_t k = 0; k < n; k++) {
         const double value = c->s.functions[k], rate = c->s.functions[n + k];

@@ -48,7 +48,7 @@ static double bend_along(const context *at, int32_t j, int32_t l, double more)
     hm_jet *x = (hm_jet *)at->k.leaves;
     for (int32_t k = 0; k < at->m->leaf_ptr[j + 1] - at->m->leaf_ptr[j]; k++)
         x[k] = (hm_jet){at->k.r.r1[k], at->k.r.r0[k] + (k == l ? more : 0.0), 0.0};
-    return function_jet(at, j, x, NULL).bend;
+    return function_jet(at, j, 0, x, NULL).bend;
 }
 
 /* Adds to momentum AT_STATE times the change of the potentials' forces in the motion x, by their second derivatives H in what they

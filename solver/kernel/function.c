@@ -2,6 +2,7 @@
 #include "internal.h"
 
 #include <math.h>
+#include <string.h>
 
 /* sin(x)/x and sinh(x)/x, whose 0/0 is removable; below 1e-2 the series is exact to the last digit. */
 static double sinc(double x)
@@ -130,90 +131,156 @@ static void operation_slopes(int32_t code, const argument *a, const argument *b,
     }
 }
 
-/* Operation of register `at` at both ends, its slopes and its change, of any kind. */
-static void run_operation(const int32_t *op, int32_t at, const double *numbers, const hm_registers *r)
+static inline int is_arithmetic(const int32_t *op) { return op[0] == T_ADD || op[0] == T_SUB || op[0] == T_MUL; }
+
+HM_OFTEN double number_or_register(int32_t place, const double *numbers, const double *x) { return place < 0 ? numbers[-1 - place] : x[place]; }
+
+/* Value of an operation of any kind where registers have the values x. */
+static double value_of(const int32_t *op, const double *numbers, const double *x)
+{
+    const double first = number_or_register(op[1], numbers, x);
+    if (op[0] >= T_SPLINE) return hm_look_up(op[0], op[1] < 0 ? &first : x + op[1], numbers - 1 - op[2], numbers - 1 - op[3]);
+    return hm_operate(op[0], first, number_or_register(op[2], numbers, x), number_or_register(op[3], numbers, x));
+}
+
+/* Slopes of the operation of register `at`, of any kind, whose values are known. */
+static void find_slopes(const int32_t *op, int32_t at, const double *numbers, const hm_registers *r)
 {
     double *slope = r->slope + 3 * at;
+    const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3]; /* of a table among the numbers */
     if (reads_grid(op[0])) { /* of three registers one behind the other */
-        const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3], *x0 = r->r0 + op[1], *x1 = r->r1 + op[1];
-        r->r0[at] = hm_grid(op[0] - T_GRID, x0, first, end);
-        r->r1[at] = hm_grid(op[0] - T_GRID, x1, first, end);
-        hm_grid_slopes(op[0] - T_GRID, x0, x1, first, end, slope);
-        r->dr[at] = 0.0;
-        for (int k = 0; k < 3; k++) r->dr[at] += slope[k] * r->dr[op[1] + k];
+        hm_grid_slopes(op[0] - T_GRID, r->r0 + op[1], r->r1 + op[1], first, end, slope);
         return;
     }
     const argument a = argument_of(op[1], numbers, r);
-    if (op[0] >= T_SPLINE) { /* its table lies among the numbers */
-        const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3];
-        r->r0[at] = hm_spline(op[0] - T_SPLINE, a.x0, first, end);
-        r->r1[at] = hm_spline(op[0] - T_SPLINE, a.x1, first, end);
+    if (op[0] >= T_SPLINE) {
         slope[0] = hm_spline_slope(op[0] - T_SPLINE, a.x0, a.x1, first, end);
-        r->dr[at] = slope[0] * a.dx;
-        return;
-    }
-    const argument b = argument_of(op[2], numbers, r), c = argument_of(op[3], numbers, r);
-    r->r0[at] = hm_operate(op[0], a.x0, b.x0, c.x0);
-    r->r1[at] = hm_operate(op[0], a.x1, b.x1, c.x1);
-    if (op[0] == T_SELECT) { /* its condition does not move: the branch taken is linear */
+        slope[1] = 0.0;
+    } else if (op[0] == T_SELECT) { /* its condition does not move: the branch taken is linear */
         slope[0] = a.x0 != 0.0 ? 1.0 : 0.0;
         slope[1] = 1.0 - slope[0];
-        r->dr[at] = a.x0 != 0.0 ? b.dx : c.dx;
-        return;
+    } else {
+        const argument b = argument_of(op[2], numbers, r);
+        operation_slopes(op[0], &a, &b, r->r0[at], r->r1[at], slope);
     }
-    operation_slopes(op[0], &a, &b, r->r0[at], r->r1[at], slope);
-    r->dr[at] = (op[1] >= 0 ? slope[0] * a.dx : 0.0) + (op[2] >= 0 ? slope[1] * b.dx : 0.0);
 }
 
-/* Likewise of a sum, a difference or a product, as most are; if nothing `moves` both ends are one. */
-HM_OFTEN void run_arithmetic(const int32_t *op, int32_t at, const double *numbers, const hm_registers *r, int moves)
+/* Arguments of an operation that it has slopes with respect to: two, or below 0. Grids have three registers. */
+static inline int32_t first_argument(const int32_t *op) { return op[0] == T_SELECT ? op[2] : op[1]; }
+static inline int32_t second_argument(const int32_t *op) { return op[0] >= T_SPLINE ? -1 : op[0] == T_SELECT ? op[3] : op[2]; }
+
+/* Operation of register `at` at both ends, its slopes and its change, of any kind. */
+static void run_operation(const int32_t *op, int32_t at, const double *numbers, const hm_registers *r)
+{
+    const double *slope = r->slope + 3 * at;
+    const int32_t first = first_argument(op), second = second_argument(op);
+    r->r0[at] = value_of(op, numbers, r->r0);
+    r->r1[at] = value_of(op, numbers, r->r1);
+    find_slopes(op, at, numbers, r);
+    r->dr[at] = 0.0;
+    if (reads_grid(op[0])) {
+        for (int k = 0; k < 3; k++) r->dr[at] += slope[k] * r->dr[first + k];
+        return;
+    }
+    if (op[0] == T_SELECT) r->dr[at] = slope[0] != 0.0 ? (first < 0 ? 0.0 : r->dr[first]) : second < 0 ? 0.0 : r->dr[second];
+    else r->dr[at] = (first >= 0 ? slope[0] * r->dr[first] : 0.0) + (second >= 0 ? slope[1] * r->dr[second] : 0.0);
+}
+
+/* Likewise of a sum, a difference or a product, as most are. */
+HM_OFTEN void run_arithmetic(const int32_t *op, int32_t at, const double *numbers, const hm_registers *r)
 {
     const int32_t i = op[1], k = op[2];
-    const double a0 = i < 0 ? numbers[-1 - i] : r->r0[i], a1 = i < 0 || !moves ? a0 : r->r1[i];
-    const double b0 = k < 0 ? numbers[-1 - k] : r->r0[k], b1 = k < 0 || !moves ? b0 : r->r1[k];
+    const double a0 = i < 0 ? numbers[-1 - i] : r->r0[i], a1 = i < 0 ? a0 : r->r1[i];
+    const double b0 = k < 0 ? numbers[-1 - k] : r->r0[k], b1 = k < 0 ? b0 : r->r1[k];
     double *slope = r->slope + 3 * at;
     if (op[0] == T_MUL) {
         r->r0[at] = a0 * b0;
-        r->r1[at] = moves ? a1 * b1 : r->r0[at];
-        slope[0] = moves ? 0.5 * (b0 + b1) : b0;
-        slope[1] = moves ? 0.5 * (a0 + a1) : a0;
+        r->r1[at] = a1 * b1;
+        slope[0] = 0.5 * (b0 + b1);
+        slope[1] = 0.5 * (a0 + a1);
     } else {
         const double sign = op[0] == T_ADD ? 1.0 : -1.0;
         r->r0[at] = a0 + sign * b0;
-        r->r1[at] = moves ? a1 + sign * b1 : r->r0[at];
+        r->r1[at] = a1 + sign * b1;
         slope[0] = 1.0;
         slope[1] = sign;
     }
-    r->dr[at] = moves ? (i >= 0 ? slope[0] * r->dr[i] : 0.0) + (k >= 0 ? slope[1] * r->dr[k] : 0.0) : 0.0;
+    r->dr[at] = (i >= 0 ? slope[0] * r->dr[i] : 0.0) + (k >= 0 ? slope[1] * r->dr[k] : 0.0);
 }
 
-HM_OFTEN void run_operations(const int32_t *operation, int32_t at, int32_t end, const double *numbers, const hm_registers *r, int moves)
+/* Adds the slope of an operation, `adjoint`, times its slopes with respect to its arguments to theirs. */
+HM_OFTEN void pass_back(const int32_t *op, int32_t at, const hm_registers *r)
 {
-    for (; at < end; at++, operation += 4)
-        if (operation[0] == T_ADD || operation[0] == T_SUB || operation[0] == T_MUL) run_arithmetic(operation, at, numbers, r, moves);
-        else run_operation(operation, at, numbers, r);
+    const double adjoint = r->adjoint[at], *slope = r->slope + 3 * at;
+    const int32_t first = first_argument(op), second = second_argument(op);
+    if (first >= 0) r->adjoint[first] += adjoint * slope[0];
+    if (second >= 0) r->adjoint[second] += adjoint * slope[1];
+    for (int k = 1; k < 3 && reads_grid(op[0]); k++) r->adjoint[first + k] += adjoint * slope[k];
+}
+
+#define MANY_REGISTERS 32 /* for which a call of memset pays */
+
+HM_OFTEN void start_adjoints(int32_t count, const hm_registers *r)
+{
+    if (count > MANY_REGISTERS) memset(r->adjoint, 0, sizeof(double) * (size_t)count);
+    else
+        for (int32_t i = 0; i < count; i++) r->adjoint[i] = 0.0;
+    r->adjoint[count - 1] = 1.0;
+}
+
+double hm_value(const int32_t *operation, int32_t n_leaves, int32_t n_operations, int32_t known, const double *numbers, double *x)
+{
+    const int32_t *op = operation + 4 * (int64_t)known, *end = operation + 4 * (int64_t)n_operations;
+    double *result = x + n_leaves + known;
+    for (; op < end; op += 4) {
+        if (!is_arithmetic(op)) {
+            *result++ = value_of(op, numbers, x);
+            continue;
+        }
+        const double a = number_or_register(op[1], numbers, x), b = number_or_register(op[2], numbers, x);
+        *result++ = op[0] == T_MUL ? a * b : op[0] == T_ADD ? a + b : a - b;
+    }
+    return result[-1];
+}
+
+void hm_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, int32_t still, const double *numbers, const hm_registers *r)
+{
+    const hm_registers one = {r->r0, r->r0, r->dr, r->adjoint, r->slope}; /* both ends are one */
+    const double *x = r->r0;
+    start_adjoints(n_leaves + n_operations, r);
+    for (int32_t k = n_operations - 1; k >= still; k--) {
+        const int32_t *op = operation + 4 * (int64_t)k;
+        if (!is_arithmetic(op)) {
+            for (int i = 1; i <= 2; i++)
+                if (op[i] >= 0) r->dr[op[i]] = 0.0;
+            find_slopes(op, n_leaves + k, numbers, &one);
+            pass_back(op, n_leaves + k, r);
+            continue;
+        }
+        const double own = r->adjoint[n_leaves + k];
+        if (op[1] >= 0) r->adjoint[op[1]] += op[0] == T_MUL ? own * number_or_register(op[2], numbers, x) : own;
+        if (op[2] >= 0) r->adjoint[op[2]] += op[0] == T_MUL ? own * number_or_register(op[1], numbers, x) : op[0] == T_ADD ? own : -own;
+    }
 }
 
 int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
                              const hm_registers *r)
 {
-    const int32_t count = n_leaves + n_operations, last = count - 1;
+    const int32_t count = n_leaves + n_operations;
     int moves = 0;
     for (int32_t i = 0; i < n_leaves && !moves; i++) moves = r->dr[i] != 0.0 || r->r0[i] != r->r1[i];
-    if (moves) run_operations(operation, n_leaves, count, numbers, r, 1);
-    else run_operations(operation, n_leaves, count, numbers, r, 0); /* as values of slips: with fewer instructions */
-    for (int32_t i = 0; i < count; i++) r->adjoint[i] = 0.0;
-    r->adjoint[last] = 1.0;
-    for (int32_t at = last; at >= n_leaves; at--) {
-        const int32_t *op = operation + 4 * (at - n_leaves);
-        const double adjoint = r->adjoint[at], *slope = r->slope + 3 * at;
-        if (reads_grid(op[0])) {
-            for (int k = 0; k < 3; k++) r->adjoint[op[1] + k] += adjoint * slope[k];
-            continue;
-        }
-        const int32_t first = op[0] == T_SELECT ? op[2] : op[1], second = op[0] == T_SELECT ? op[3] : op[2];
-        if (first >= 0) r->adjoint[first] += adjoint * slope[0];
-        if (second >= 0) r->adjoint[second] += adjoint * slope[1];
+    if (!moves) {
+        for (int32_t i = n_leaves; i < count; i++) r->dr[i] = 0.0;
+        hm_value(operation, n_leaves, n_operations, 0, numbers, r->r0);
+        hm_gradient(operation, n_leaves, n_operations, 0, numbers, r);
+        return count - 1;
     }
-    return last;
+    for (int32_t at = n_leaves; at < count; at++) {
+        const int32_t *op = operation + 4 * (at - n_leaves);
+        if (is_arithmetic(op)) run_arithmetic(op, at, numbers, r);
+        else run_operation(op, at, numbers, r);
+    }
+    start_adjoints(count, r);
+    for (int32_t at = count - 1; at >= n_leaves; at--) pass_back(operation + 4 * (at - n_leaves), at, r);
+    return count - 1;
 }

@@ -44,6 +44,18 @@ static int32_t run_function(const context *c, int32_t j)
                                 m->function_ptr[f + 1] - begin, c->number, &c->k.r);
 }
 
+/* Likewise of a velocity row, which is a function of one point, with its slopes with respect to rates alone or, for a tangent, to
+   all; `is_next`: the registers are those of the row before, which has the same leaves. */
+static int32_t run_velocity_row(const context *c, int32_t j, int asked, int is_next)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = j - first_function(c), begin = m->function_ptr[f], count = m->function_ptr[f + 1] - begin;
+    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *op = m->operation + 4 * begin;
+    hm_value(op, n, count, is_next ? m->function_known[f] : 0, c->number, c->k.r.r0);
+    hm_gradient(op, n, count, asked ? 0 : m->function_still[f], c->number, &c->k.r);
+    return n + count - 1;
+}
+
 /* A damped potential U = K delta^(n+1)/(n+1) acts with 1 + x times its slopes, x = max(-1, a ddelta/h) (Hunt and
    Crossley 1975): it never pulls, and takes x dU >= 0 out exactly. At the equilibrium it is not damped. This is x. */
 static double damping_share(const context *c, int32_t j, double rate_of_depth)
@@ -199,17 +211,18 @@ static double gather_slopes(const context *c, int32_t j)
     return mechanical;
 }
 
-/* Slopes of function j over the step with respect to its forms; if asked for also curve and end. */
-static int32_t function_slopes(const context *c, int32_t j, int asked, composite_result *result)
+/* Slopes of function j over the step with respect to its forms; if asked for also curve and end. `is_next`: it has the leaves of the
+   function before, which has just been run. */
+static int32_t function_slopes(const context *c, int32_t j, int asked, int is_next, composite_result *result)
 {
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
     const int straight = asked && is_linear(c, j);
     const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
     const int is_point = asked && !straight && is_point_function(c, j);
-    const int32_t status = set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
+    const int32_t status = is_next ? HOLONOM_OK : set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
     if (status) return status;
-    load_registers(c, j, OVER_STEP);
-    const int32_t last = run_function(c, j);
+    if (!is_next) load_registers(c, j, OVER_STEP);
+    const int32_t last = is_velocity_row(c, j) && !has_signal(c, j) ? run_velocity_row(c, j, asked, is_next) : run_function(c, j);
     damp_slopes(c, j);
     leaf_state *leaf = (leaf_state *)c->k.leaves;
     for (int32_t l = 0; l < n && (straight || is_point); l++) leaf[l].n_end = c->k.r.adjoint[l];
@@ -220,10 +233,19 @@ static int32_t function_slopes(const context *c, int32_t j, int asked, composite
     return HOLONOM_OK;
 }
 
-/* Slopes of composite j; a row's function value is that over phi_0. */
-static int32_t composite_slopes(const context *c, int32_t j, int asked, composite_result *result)
+/* Whether composite j, of which this is asked, may follow composite `before`, whose leaves it shares: those have been set at the same
+   place, and nothing since. */
+static inline int is_next_slip(const context *c, int32_t before, int32_t j, int asked)
 {
-    set_local_forms(c, j, c->theta);
+    return before >= 0 && before == j - 1 && asked != WITH_STIFFNESS && is_velocity_row(c, j) && c->m->function_known[j - first_function(c)] > 0;
+}
+
+/* Slopes of composite j; a row's function value is that over phi_0. `before`: the composite whose slopes were computed last, at the
+   same place; -1: any. */
+static int32_t next_slopes(const context *c, int32_t before, int32_t j, int asked, composite_result *result)
+{
+    const int is_next = is_next_slip(c, before, j, asked);
+    if (!is_next) set_local_forms(c, j, c->theta);
     if (j < first_function(c)) return element_law(c, j, asked, result);
     if (is_seeking(c) && is_velocity_row(c, j)) { /* velocities do not bind positions */
         const size_t forms = (size_t)(c->m->composite_form_ptr[j + 1] - c->m->composite_form_ptr[j]);
@@ -233,26 +255,20 @@ static int32_t composite_slopes(const context *c, int32_t j, int asked, composit
         memset(c->k.curve, 0, sizeof(double) * forms * forms);
         return HOLONOM_OK;
     }
-    return function_slopes(c, j, asked, result);
+    return function_slopes(c, j, asked, is_next, result);
 }
 
-static inline double place_or_number(const context *c, int32_t place) { return place < 0 ? c->number[-1 - place] : c->k.r.r0[place]; }
+static int32_t composite_slopes(const context *c, int32_t j, int asked, composite_result *result)
+{
+    return next_slopes(c, -1, j, asked, result);
+}
 
-/* Value of function j, without slopes, of the leaves in r0. */
-static double value_of_leaves(const context *c, int32_t j)
+/* Value of function j, without slopes, of the leaves in r0, where that many of its operations have their results. */
+static double value_of_leaves(const context *c, int32_t j, int32_t known)
 {
     const holonom_model *m = c->m;
-    const int32_t f = j - first_function(c), *op = m->operation + 4 * m->function_ptr[f], *end = m->operation + 4 * m->function_ptr[f + 1];
-    double *x = c->k.r.r0;
-    int32_t l = m->leaf_ptr[j + 1] - m->leaf_ptr[j];
-    for (; op < end; op += 4, l++) {
-        const double first = place_or_number(c, op[1]), second = place_or_number(c, op[2]);
-        if (op[0] == T_MUL) x[l] = first * second;
-        else if (op[0] == T_ADD) x[l] = first + second;
-        else if (op[0] < T_SPLINE) x[l] = hm_operate(op[0], first, second, place_or_number(c, op[3]));
-        else x[l] = hm_look_up(op[0], op[1] < 0 ? &first : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
-    }
-    return x[l - 1];
+    const int32_t f = j - first_function(c), begin = m->function_ptr[f];
+    return hm_value(m->operation + 4 * begin, m->leaf_ptr[j + 1] - m->leaf_ptr[j], m->function_ptr[f + 1] - begin, known, c->number, c->k.r.r0);
 }
 
 /* Value of function j, without slopes, of quantities at the beginning of the step or, where they are not known, at the state. */
@@ -265,7 +281,7 @@ static double value_of_function(const context *c, int32_t j, int are_known)
         x[l] = entry[0] == LEAF_SIGNAL ? c->s.signal[entry[1]]
                : are_known             ? c->k.sigma0[entry[1]]
                                        : quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
-    return value_of_leaves(c, j);
+    return value_of_leaves(c, j, 0);
 }
 
 static double function_value(const context *c, int32_t j) { return value_of_function(c, j, 1); }

@@ -140,6 +140,13 @@ static inline double hm_angle_over_bend(double x, double y, double angle_over)
 int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
                              const hm_registers *r);
 
+/* Value of such a function whose leaves begin the registers x; its first `known` operations have their results there. */
+double hm_value(const int32_t *operation, int32_t n_leaves, int32_t n_operations, int32_t known, const double *numbers, double *x);
+
+/* Likewise its derivatives, with the registers of its value in r0; nothing moves. With respect to what only the first `still`
+   operations read they are left incomplete. */
+void hm_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, int32_t still, const double *numbers, const hm_registers *r);
+
 /* One operation of the tape, other than those with a table. */
 double hm_operate(int32_t code, double a, double b, double c);
 

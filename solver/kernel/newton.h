@@ -148,14 +148,11 @@ static void choose_lambda(const context *c, const newton_record *r)
     c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && (c->asleep || !is_unilateral(c->m)) && (is_short || is_enough);
 }
 
-/* Contraction up to which factors that leave out how forces of sliding frictions turn with the place are made like that again. In space
-   what they leave out costs as much as a dozen increments. */
-#define SOFT_CONTRACTION 0.9
-
+/* Whether factors may leave out how forces of sliding frictions turn with the place: first ones contract well enough. In space what they
+   leave out costs as much as a dozen increments. */
 static int is_soft_enough(const context *c, const newton_record *r)
 {
-    if (!c->sliding || r->increments == 0) return c->sliding; /* first factors contract well enough */
-    return r->theta < SOFT_CONTRACTION && slides_in_space(c);
+    return c->sliding && (r->increments == 0 || slides_in_space(c));
 }
 
 /* Solves for one Newton increment and adds it; its size, that of d, and what they are measured against. */

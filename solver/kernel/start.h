@@ -273,13 +273,14 @@ HM_SELDOM static double second_rate(const context *c, int32_t j)
     return (s[0] * bend[1] - s[1] * bend[0] - 2.0 * turning * (s[0] * rate[0] + s[1] * rate[1])) / size2;
 }
 
-/* Jet of function j, whose leaves begin its registers x; numbers stand still, or move as `jet` says. */
-HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, hm_jet *x, const double *jet)
+/* Jet of function j, whose leaves begin its registers x and whose first `known` operations have their results there; numbers stand
+   still, or move as `jet` says. */
+HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, int32_t known, hm_jet *x, const double *jet)
 {
     const holonom_model *m = c->m;
     const int32_t f = j - first_function(c);
-    int32_t l = m->leaf_ptr[j + 1] - m->leaf_ptr[j];
-    for (int32_t at = m->function_ptr[f]; at < m->function_ptr[f + 1]; at++, l++) {
+    int32_t l = m->leaf_ptr[j + 1] - m->leaf_ptr[j] + known;
+    for (int32_t at = m->function_ptr[f] + known; at < m->function_ptr[f + 1]; at++, l++) {
         const int32_t *op = m->operation + 4 * at;
         hm_jet argument[3];
         for (int i = 0; i < 3; i++) {
@@ -294,12 +295,14 @@ HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, hm_jet *x, con
 }
 
 /* Bias of row j, a function or velocity row: its second derivative at constant velocities, of a velocity row the first.
-   Rates of signals are `signal_rate`, their second derivatives `signal_bend`.                                   */
-HM_SELDOM static double bias_of(const context *c, int32_t j)
+   Rates of signals are `signal_rate`, their second derivatives `signal_bend`. `before`: the row whose bias was computed last, at the
+   same state; -1: any. */
+HM_SELDOM static double next_bias(const context *c, int32_t before, int32_t j)
 {
     const holonom_model *m = c->m;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
     hm_jet *x = (hm_jet *)c->k.leaves;
+    if (is_next_slip(c, before, j, SLOPES_ALONE)) return function_jet(c, j, m->function_known[j - first_function(c)], x, NULL).rate;
     for (int32_t l = 0; l < n; l++, entry += 4) {
         const int32_t q = entry[1];
         if (entry[0] == LEAF_SIGNAL) x[l] = (hm_jet){c->s.signal[q], c->k.signal_rate[q], c->k.signal_bend[q]};
@@ -309,9 +312,11 @@ HM_SELDOM static double bias_of(const context *c, int32_t j)
         }
         if (entry[0] == LEAF_RATE) x[l] = (hm_jet){x[l].rate, x[l].bend, 0.0};
     }
-    const hm_jet found = function_jet(c, j, x, NULL);
+    const hm_jet found = function_jet(c, j, 0, x, NULL);
     return is_velocity_row(c, j) ? found.rate : found.bend;
 }
+
+static double bias_of(const context *c, int32_t j) { return next_bias(c, -1, j); }
 
 /* Likewise, less the value of a velocity row at rest, which belongs to G a where that is the row of a. */
 HM_SELDOM static double bias_of_row(const context *c, int32_t j)
@@ -341,7 +346,7 @@ HM_SELDOM static void find_drifts(context *c)
             x[l] = (hm_jet){is_signal ? c->s.signal[entry[1]] : 0.0, 0.0, 0.0}; /* rates are 0: the mechanism rests */
             if (is_value) x[l].value = quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
         }
-        c->k.drift[row_of(c, j)] = function_jet(c, j, x, c->k.jet).rate;
+        c->k.drift[row_of(c, j)] = function_jet(c, j, 0, x, c->k.jet).rate;
     }
     set_laws(c, t, 0); /* as they are now, not just after a jump */
 }
@@ -434,6 +439,19 @@ HM_SELDOM static int has_sliding_joint(const context *c)
     return 0;
 }
 
+#define REFINED 1e-14
+
+/* Whether a refinement has changed multipliers mu, to which it has been added, by rounding alone. */
+HM_SELDOM static int is_refined(const context *c, const double *mu)
+{
+    double most = 0.0, change = 0.0;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        most = fmax(most, c->number[c->m->row_sigma_at + i] * mu[i] * mu[i]);
+        change = fmax(change, c->number[c->m->row_sigma_at + i] * c->k.mu[i] * c->k.mu[i]);
+    }
+    return change <= REFINED * REFINED * most;
+}
+
 /* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined with the factors
    at hand: light directions cost digits. */
 HM_SELDOM static int32_t accelerations(context *c, double *mu)
@@ -459,6 +477,7 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
         solve_with_factors(c);
         add_solution(c, c->k.w);
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
+        if (slides_in_space(c) && is_refined(c, mu)) break; /* each refinement runs its slips */
     }
     c->cone_mu = c->k.mu;
     return status;

@@ -73,6 +73,7 @@ static void composite_stiffness(const context *c, int32_t j, int32_t size)
 static int32_t composite_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
+    int32_t before = -1, size = 0;
     EACH_COMPOSITE(c, j) {
         const int32_t *slot = c->lu->composite_slot + c->lu->composite_slot_ptr[j];
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
@@ -81,9 +82,10 @@ static int32_t composite_tangent(const context *c, double *value)
         if (((is_lean(c) || c->constraints_only) && !row) || state == ROW_IS_OFF) continue;
         const double factor = row ? c->h * c->k.mu[row_of(c, j)] : c->h;
         const int is_stiff = !is_lean(c) && factor != 0.0 && !(c->soft && state == ROW_IS_SLIDING);
-        const int32_t status = composite_slopes(c, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS, &result);
+        const int32_t status = next_slopes(c, before, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS, &result);
         if (status) return status;
-        const int32_t size = local_gradients(c, j);
+        if (!is_next_slip(c, before, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS)) size = local_gradients(c, j);
+        before = j;
         if (!is_lean(c) && !is_stiff) slot += size * size;
         if (is_stiff) {
             const double *block = c->k.block;
@@ -94,8 +96,10 @@ static int32_t composite_tangent(const context *c, double *value)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
         for (int32_t k = 0; k < size && row && state == ROW_IS_ON; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
+        if (state == ROW_IS_SLIDING && !c->at_state) turning_tangent(c, j, size, value);
     }
-    return n_frictions(c->m) ? cone_tangent(c, value) : HOLONOM_OK;
+    if (n_frictions(c->m)) cone_tangent(c, value);
+    return HOLONOM_OK;
 }
 
 static int32_t law_tangent(const context *c, double *value)
@@ -201,6 +205,7 @@ static int32_t assemble_tangent(const context *c)
 static int32_t add_composites(const context *c)
 {
     const holonom_model *m = c->m;
+    int32_t before = -1;
     EACH_COMPOSITE(c, j) {
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
         composite_result result = {0.0, 0.0, 0.0};
@@ -210,8 +215,9 @@ static int32_t add_composites(const context *c)
             c->k.phi[row] = 0.0;
             continue;
         }
-        const int32_t status = composite_slopes(c, j, SLOPES_ALONE, &result);
+        const int32_t status = next_slopes(c, before, j, SLOPES_ALONE, &result);
         if (status) return status;
+        before = j;
         double factor = c->h;
         if (row >= 0) {
             c->k.phi[row] = result.row + (is_seeking(c) || (j >= first_velocity_row(c) && !c->stepping) ? 0.0 : c->k.phi0[row]);

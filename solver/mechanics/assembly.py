@@ -15,7 +15,7 @@ from solver.mechanics.parts import Parts
 from solver.mechanics.sensors import Sensors
 from solver.mechanics.structure import Structure, flat, pointers
 from solver.mechanics.switches import names_of_switches
-from solver.mechanics.tape import CODE, MOST_SWITCHES, Motion, Numbers, Segment
+from solver.mechanics.tape import CODE, MOST_SWITCHES, Motion, Numbers, Operations, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS, tolerance_of
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
@@ -160,18 +160,27 @@ def _settings(scene: Scene, *, unilateral: bool) -> dict[str, float | str | bool
 def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:
     """Operations of the function rows, velocity rows and potentials."""
     formulas = (*(row.formula for row in structure.functions), *structure.potentials.items)
-    operations = [numbers.operations(x.value, len(x.leaves)) for x in formulas]
-    counted = pointers([range(len(x) // 4) for x in operations])
+    slips = {found[0]: found for found in structure.slips_together}
+    operations: list[Operations] = []
+    while (j := len(operations)) < len(formulas):
+        value, leaves = formulas[j].value, formulas[j].leaves
+        if j in slips:
+            operations += numbers.slips([formulas[k].value for k in slips[j]], leaves)
+        else:
+            operations.append(numbers.operations(value, len(leaves)))
     depths = [-1] * len(structure.potentials)
     for k, (potential, found) in enumerate(
         zip(structure.potentials.items, operations[len(structure.functions) :], strict=True)
     ):
         if potential.damping is not None:  # the energy is a power of the depth, times a number
-            depths[k] = found[1 + 4 * max(i for i, x in enumerate(found[::4]) if x == CODE["pow"])]
+            depths[k] = [x[1] for x in found.each if x[0] == CODE["pow"]][-1]
     return {
-        "function_ptr": counted, "operation": flat(operations),
+        "function_ptr": pointers(x.each for x in operations),
+        "function_still": array("i", (x.still for x in operations)),
+        "function_known": array("i", (x.known for x in operations)),
+        "operation": flat(y for x in operations for y in x.each),
         "depth_register": array("i", depths),
-    }  # fmt: skip
+    }
 
 
 def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number]]:

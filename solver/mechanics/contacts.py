@@ -34,6 +34,7 @@ from solver.mechanics.slips import (
     is_there,
     plane_tangents,
     sliding,
+    slips_along,
     tangents,
     turning,
 )
@@ -175,13 +176,16 @@ def _add_between(
         place = tuple(leaf_symbol(k) for k in range(3))
         length = sqrt(operate("max", dot(place, place), 0.25 * reach * reach))
         normal = tuple(x / length for x in place)
-        for tangent in tangents(mechanism, normal, SKEW):
+
+        def velocity(tangent: Vector) -> Formula:
             leaves = list(u)
             slip = reach / length * sliding(mechanism, leaves, forms, tangent)
             for body, arm in spinning:
                 spokes = map(body.direction, body.axes)
                 slip = slip + arm * turning(mechanism, leaves, spokes, axes, normal, tangent)
-            slips.append(Formula(slip, tuple(leaves)))
+            return Formula(slip, tuple(leaves))
+
+        slips = slips_along(tangents(mechanism, normal, SKEW), velocity)
     add_contact(rows, contact, gap, slips=slips)
 
 

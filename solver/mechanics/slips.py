@@ -8,16 +8,18 @@ with n from those of a direction a by the smallest turn, which is smooth until n
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import RigidFrame
-from solver.mechanics.mechanism import Leaf, Mechanism
+from solver.mechanics.mechanism import Formula, Leaf, Mechanism
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import Expr, Number, PointReference
+
+IDENTITY = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
 
 def body_of(rows: Rows, reference: PointReference) -> RigidFrame | None:
@@ -79,7 +81,8 @@ def turning(
         along = [dot(row, normal) for row in rows]
         return dot(along, rates) / dot(along, along)
     across = [cross(rows[(j + 1) % 3], rows[(j + 2) % 3]) for j in range(3)]
-    return dot([dot(normal, x) for x in across], rates) / dot(rows[0], across[0])
+    volume = dot(rows[0], across[0])
+    return dot([dot(normal, x) / volume for x in across], rates)
 
 
 def sliding(
@@ -92,6 +95,17 @@ def sliding(
         total = total + t * leaf_symbol(len(leaves))
         leaves.append(mechanism.leaf(mechanism.component(*form), LEAF_RATE))
     return total
+
+
+def slips_along(tangents: Sequence[Vector], velocity: Callable[[Vector], Formula]) -> list[Formula]:
+    """Return slip rates along tangents; `velocity` returns that along any vector.
+
+    In space those along the axes make both of them, with fewer operations.
+    """
+    if len(tangents) == 1:
+        return [velocity(tangents[0])]
+    each = [velocity(axis) for axis in IDENTITY]
+    return [Formula(dot(t, [x.value for x in each]), each[0].leaves) for t in tangents]
 
 
 def plane_tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:

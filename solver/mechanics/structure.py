@@ -373,6 +373,14 @@ class Structure:
         }
 
     @property
+    def slips_together(self) -> list[range]:
+        """Functions of the slips of one friction, where these have the same leaves."""
+        first, place = len(self.function_rows), self.velocity_rows.place
+        found = [[first + place[row] for row in x.rows] for x in self.mechanism.frictions]
+        groups = [range(min(x), max(x) + 1) for x in found if len(x) > 1]
+        return [x for x in groups if len({self.functions[k].formula.leaves for k in x}) == 1]
+
+    @property
     def _joints_in_impacts(self) -> list[int]:
         """Frictions of joints, where there are impacts."""
         own = {contact.friction for contact in self.mechanism.contacts}

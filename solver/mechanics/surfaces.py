@@ -32,7 +32,7 @@ from solver.mechanics.frames import Ground, RigidFrame
 from solver.mechanics.mechanism import Formula, Leaf
 from solver.mechanics.parts import AXES, JointParts
 from solver.mechanics.rows import Rows
-from solver.mechanics.slips import body_of, is_there, sliding, tangents, turning
+from solver.mechanics.slips import body_of, is_there, sliding, slips_along, tangents, turning
 from solver.mechanics.vectors import Vector, dot, scale, turned
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
@@ -265,16 +265,17 @@ def slip_rates(
         drawn = up or tuple(mechanism.default(as_drawn(mechanism, x, leaves)) for x in normal)
     except ExpressionError:  # there is no normal where the point is drawn
         drawn = (0.0, 0.0, 1.0)
-    slips = []
-    for tangent in tangents(mechanism, normal, drawn):
+
+    def velocity(tangent: Vector) -> Formula:
         used = list(leaves)
         value: Number = 0.0
         for share, forms in zip(shares, places, strict=True):
             value = value + share * sliding(mechanism, used, forms, tangent)
         if spokes:
             value = value - radius * turning(mechanism, used, spokes, axes, normal, tangent)
-        slips.append(Formula(value, tuple(used)))
-    return slips
+        return Formula(value, tuple(used))
+
+    return slips_along(tangents(mechanism, normal, drawn), velocity)
 
 
 SURFACES = {

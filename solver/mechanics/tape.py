@@ -18,7 +18,8 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from solver.mechanics.knots import has_knots, on_piece, place_among_knots
-from solver.runtime.layout import CODES, OFFSETS, SWITCH_LEVEL, SWITCH_SIGN
+from solver.mechanics.mechanism import Leaf
+from solver.runtime.layout import CODES, LEAF_RATE, OFFSETS, SWITCH_LEVEL, SWITCH_SIGN
 from solver.scene import Expr, Number
 from solver.scene.expression import Curve, Grid, Operand, operate, symbol
 
@@ -261,6 +262,23 @@ def padded(arguments: list[int], operation: Expr) -> list[int]:
     return (arguments + 2 * arguments[-1:])[:3]
 
 
+class Operations(NamedTuple):
+    """A formula over leaves: code and three arguments each.
+
+    Attributes
+    ----------
+    each : list
+    still : int
+        How many at the beginning no rate enters, where derivatives by rates are all that is asked.
+    known : int
+        How many at the beginning are those of the formula before, over the same leaves.
+    """
+
+    each: list[tuple[int, ...]]
+    still: int = 0
+    known: int = 0
+
+
 class Numbers:
     """Sections in the order of ``solver.runtime.layout.OFFSETS``, then what the tape needs.
 
@@ -330,21 +348,68 @@ class Numbers:
         """Return where the value of a number lies; `segment` is when it is needed."""
         return self.tape.compile(number, segment)[0]
 
-    def operations(self, value: Number, n_leaves: int) -> list[int]:
-        """Return the operations of a formula over leaves ``#0``, ``#1``, ..., four integers each.
+    def operations(self, value: Number, n_leaves: int) -> Operations:
+        """Return the operations of a formula over leaves ``#0``, ``#1``, ..."""
+        operations, (last,) = self._compiled([value], n_leaves)
+        if last != n_leaves + len(operations) - 1:  # a leaf with the others folded away
+            operations.append((CODE["copy"], last, last, last))
+        return Operations(operations)
+
+    def slips(self, values: Sequence[Number], leaves: Sequence[Leaf]) -> list[Operations]:
+        """Return the operations of several formulas over the same leaves, linear in rates.
+
+        What no rate enters comes first, in all of them, and then what all of them need.
+        """
+        n_leaves = len(leaves)
+        operations, ends = self._compiled(values, n_leaves)
+        moves = [leaf.kind == LEAF_RATE for leaf in leaves]
+        for _, *arguments in operations:
+            moves.append(any(at >= 0 and moves[at] for at in arguments))
+        needed = [self._needed(operations, n_leaves, end) for end in ends]
+        places = range(n_leaves, n_leaves + len(operations))
+        still = [at for at in places if not moves[at]]
+        common = [at for at in places if moves[at] and all(at in x for x in needed)]
+        found = []
+        for end, own in zip(ends, needed, strict=True):
+            rest = [at for at in places if moves[at] and at in own and at not in common]
+            order = [*range(n_leaves), *still, *common, *rest]
+            register = {at: k for k, at in enumerate(order)}
+            moved = [
+                (code, *(register.get(at, at) for at in arguments))
+                for code, *arguments in (operations[at - n_leaves] for at in order[n_leaves:])
+            ]
+            if not rest:
+                moved.append((CODE["copy"], *3 * [register[end]]))
+            known = len(still) + len(common) if found else 0
+            found.append(Operations(moved, len(still), known))
+        return found
+
+    @staticmethod
+    def _needed(operations: Sequence[tuple[int, ...]], n_leaves: int, end: int) -> set[int]:
+        """Return the registers that a result depends on, with its own."""
+        needed = {end}
+        for at in range(end, n_leaves - 1, -1):
+            if at in needed:
+                needed.update(operations[at - n_leaves][1:])
+        return needed
+
+    def _compiled(
+        self, values: Sequence[Number], n_leaves: int
+    ) -> tuple[list[tuple[int, ...]], list[int]]:
+        """Return the operations of formulas over leaves, and the registers of their values.
 
         Registers hold the leaves, then one result each; -1 - place stands for a number.
         """
         register = {f"#{k}": k for k in range(n_leaves)}
         known: dict[Expr, int] = {}
         triples: dict[tuple[int, ...], int] = {}
-        operations: list[int] = []
+        operations: list[tuple[int, ...]] = []
 
         def copied(arguments: list[int]) -> int:
             """First of the registers, one behind the other, of the coordinates of a grid."""
-            first = triples.setdefault(tuple(arguments), n_leaves + len(operations) // 4)
-            if first == n_leaves + len(operations) // 4:
-                operations.extend(x for at in arguments for x in (CODE["copy"], at, at, at))
+            first = triples.setdefault(tuple(arguments), n_leaves + len(operations))
+            if first == n_leaves + len(operations):
+                operations.extend((CODE["copy"], at, at, at) for at in arguments)
             return first
 
         def compiled(part: Operand | str) -> int | None:
@@ -364,15 +429,13 @@ class Numbers:
             ]
             if isinstance(part.args[-1], Grid):
                 arguments = [copied(arguments[:-1]), arguments[-1]]
-            operations.extend((CODE[part.op], *padded(arguments, part)))
-            known[part] = n_leaves + len(operations) // 4 - 1
+            operations.append((CODE[part.op], *padded(arguments, part)))
+            known[part] = n_leaves + len(operations) - 1
             return known[part]
 
-        last = compiled(value)
-        assert last is not None
-        if last != n_leaves + len(operations) // 4 - 1:  # a leaf with the others folded away
-            operations.extend((CODE["copy"], last, last, last))
-        return operations
+        ends = [compiled(value) for value in values]
+        assert None not in ends
+        return operations, [end for end in ends if end is not None]
 
     def _constant(self, number: Operand | str) -> int:
         assert not isinstance(number, str)

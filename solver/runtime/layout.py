@@ -203,6 +203,9 @@ TABLES = {
     "leaf_ptr": Pointers("n_composites", "leaf", "n_registers"),
     "leaf": Table(width=4),  # LEAF_.., index, two local forms
     "function_ptr": Pointers("n_functions", "operation", "n_registers"),
+    "function_still": Table("n_functions", 0, "n_registers"),  # of slips: operations without rates
+    "function_known": Table("n_functions", 0, "n_registers"),  # those of the function before,
+    # which has the same leaves
     "depth_register": Table("n_potentials", -1, "n_registers"),  # of damped ones: a depth; else -1
     "operation": Table(width=4),  # code, three arguments: a register, or -1 - a number's place
     "load_form": Table("n_loads", 0, "n_forms"),  # the link u they act on
