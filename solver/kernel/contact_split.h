@@ -12,6 +12,8 @@
 #include "rest_split.h"
 
 #define SAME_ROW 1e-10   /* pivot of rows of size 1 that counts as zero                                              */
+#define NO_LOAD 1e-12     /* part of the forces at hand that is left of them where they hold nothing                            */
+#define STILL_MOVES 1e-12 /* of the rate that a row alone would have: what is left of it, above which it is solved for once more */
 #define WELL_INSIDE 1e-7 /* of the coefficients: a split that is so far inside its cones if there is one stays inside as it is */
 #define SLIPS 1e-6       /* rate over the largest one that counts as a slip                                          */
 
@@ -108,6 +110,24 @@ HM_SELDOM static double limit_along(const context *c, int32_t f, const double *m
     return c->number[m->static_at + f] * sum;
 }
 
+/* Takes from the velocities x that a unit force brings about, with the multipliers in mu, what rows that hold leave of them by rounding,
+   as far from where moments of a joint are measured: W tells by its digits which rows depend on each other. */
+HM_SELDOM static void hold_rows(const context *c, double *x)
+{
+    const int32_t rows = c->m->n_rows;
+    const double *sigma = c->number + c->m->row_sigma_at, least = STILL_MOVES * sqrt(fmax(0.0, mass_product(c, x, x)));
+    double *mu = c->k.row_rate, *more = c->k.ahead;
+    int is_held = 1;
+    memset(c->k.signal_before, 0, sizeof(double) * (size_t)c->m->n_signals);
+    row_rates(c, c->s.q, c->s.q_low, x, c->s.signal, c->k.signal_before, c->k.phi);
+    for (int32_t i = 0; i < rows; i++) is_held &= fabs(c->k.phi[i]) <= least * sqrt(sigma[i]);
+    if (is_held) return;
+    memcpy(mu, c->k.mu, sizeof(double) * (size_t)rows);
+    velocities_for(c, more);
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] += more[k];
+    for (int32_t i = 0; i < rows; i++) c->k.mu[i] += mu[i];
+}
+
 /* W, and what units do to limits. What shares its forces is off, w and modes are to be put back. */
 HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
 {
@@ -121,6 +141,7 @@ HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
     c->cone_mu = c->k.mu;
     for (int32_t u = 0; u < n && !status; u++) {
         status = find_reach(c, x->row[u], u);
+        hold_rows(c, c->k.hit_reach + (int64_t)DIM * c->n_moving * u);
         for (int32_t k = 0; k < x->split.contacts && x->joints; k++)
             x->limit[n * k + u] = x->contact[k] < 0 ? limit_along(c, -1 - x->contact[k], c->k.mu) : 0.0;
     }
@@ -190,19 +211,20 @@ HM_SELDOM static void equations_of_split(const shared_forces *x, rest_split *s)
     }
 }
 
-/* Forces p of multipliers mu, and g = B p over its size, which it returns. */
+/* Forces p of multipliers mu, and g = B p over its size, which it returns: 0 where others hold all that is to be held. */
 HM_SELDOM static double forces_to_split(const context *c, const shared_forces *x, const double *mu)
 {
     const rest_split *s = &x->split;
-    double size2 = 0.0;
+    double size2 = 0.0, whole2 = 0.0;
     take_forces(c, x, mu);
+    for (int32_t l = 0; l < s->rows; l++) whole2 += hm_square(x->p[l]);
     for (int32_t k = 0; k < s->rank; k++) {
         x->g[k] = 0.0;
         for (int32_t l = 0; l < s->rows; l++) x->g[k] += s->B[s->rows * k + l] * x->p[l];
         size2 += x->g[k] * x->g[k];
     }
-    const double size = sqrt(size2);
-    for (int32_t k = 0; k < s->rank; k++) x->g[k] /= size > 0.0 ? size : 1.0;
+    const double size = size2 > hm_square(NO_LOAD) * whole2 ? sqrt(size2) : 0.0;
+    for (int32_t k = 0; k < s->rank; k++) x->g[k] = size > 0.0 ? x->g[k] / size : 0.0;
     return size;
 }
 
@@ -247,7 +269,7 @@ HM_SELDOM static int32_t share_forces(context *c, const shared_forces *x)
     forget_shares(c);
     extrapolate(c, c->t, n, c->s.mean, c->s.mean_before, c->k.rest_mean);
     const double size = forces_to_split(c, x, c->k.rest_mean);
-    if (!(size > 0.0) || !is_held_together(c, &x->split)) return HOLONOM_OK;
+    if (!is_held_together(c, &x->split)) return HOLONOM_OK;
     c->s.head[S_SHARES] = 1.0;
     return add_reshare(c, x, size, c->s.shift);
 }
@@ -320,9 +342,9 @@ HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togethe
         if (status) return status;
         equations_of_split(x, s);
         size = forces_to_split(c, x, c->k.event_mu);
-        if (s->rank == s->rows || !(size > 0.0)) return HOLONOM_OK;
+        if (s->rank == s->rows) return HOLONOM_OK;
         before = least;
-        if (load) least = load_factor(s);
+        if (load) least = size > 0.0 ? load_factor(s) : 0.0;
         inside = load ? least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
         if (inside || !x->joints || time == MOST_DIRECTIONS) break;
         if (!load) least = load_factor(s);
