@@ -326,31 +326,59 @@ HM_SELDOM static int slip_together(context *c, const shared_forces *x)
     return slides;
 }
 
-enum { MOST_DIRECTIONS = 20 }; /* of the forces that press joints, in turn */
+enum { MOST_DIRECTIONS = 20 /* of the forces that press joints, in turn */, MOST_ROUND = 3 /* joints whose forces may turn round */ };
 
-/* Likewise, see hold_together, with what shares its forces off. Forces that press joints turn as they are shared, which a split with
-   a least factor of the coefficients tells: with their new directions limits are no less than before. */
-HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togetherness *how, double *load)
+/* Takes the forces at hand for those that press, of joint k of the split with bit k of `turned` the opposite ones: a contact that pushes
+   harder may turn them round. */
+HM_SELDOM static void press_as(const context *c, const shared_forces *x, int32_t turned)
+{
+    const holonom_model *m = c->m;
+    memcpy(c->k.rest_mu, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
+    for (int32_t k = 0; k < x->split.contacts; k++) {
+        const int32_t f = -1 - x->contact[k];
+        if (f < 0) continue;
+        for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1] && (turned & 1); at++)
+            c->k.rest_mu[m->normal_row[2 * at]] = -c->k.event_mu[m->normal_row[2 * at]];
+        turned >>= 1;
+    }
+}
+
+/* Seeks a split, and with `load` or joints the least factor of all coefficients with which there is one (in `least`); the size of its
+   forces. Forces that press joints turn as they are shared, which a split with that factor tells: with their new directions limits are no
+   less than before. */
+HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *load, int *inside, double *least, double *size)
 {
     rest_split *s = &x->split;
-    const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
-    double size, least = INFINITY, before;
-    int inside;
-    memcpy(c->k.rest_mu, c->k.event_mu, rows);
+    double before;
+    *least = INFINITY;
     for (int time = 0;; time++) {
         int32_t status = fill_shared(c, x);
         if (status) return status;
         equations_of_split(x, s);
-        size = forces_to_split(c, x, c->k.event_mu);
-        if (s->rank == s->rows) return HOLONOM_OK;
-        before = least;
-        if (load) least = size > 0.0 ? load_factor(s) : 0.0;
-        inside = load ? least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
-        if (inside || !x->joints || time == MOST_DIRECTIONS) break;
-        if (!load) least = load_factor(s);
-        if (!(least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, least)) break;
-        memcpy(c->k.rest_mu, c->k.event_mu, rows);
-        if ((status = add_reshare(c, x, size, c->k.rest_mu))) return status;
+        *size = forces_to_split(c, x, c->k.event_mu);
+        before = *least;
+        if (load) *least = *size > 0.0 ? load_factor(s) : 0.0;
+        *inside = load ? *least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
+        if (s->rank == s->rows || *inside || !x->joints || time == MOST_DIRECTIONS) return HOLONOM_OK;
+        if (!load) *least = load_factor(s);
+        if (!(*least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, *least)) return HOLONOM_OK;
+        memcpy(c->k.rest_mu, c->k.event_mu, sizeof(double) * (size_t)c->m->n_rows);
+        if ((status = add_reshare(c, x, *size, c->k.rest_mu))) return status;
+    }
+}
+
+/* Likewise, see hold_together, with what shares its forces off. */
+HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togetherness *how, double *load)
+{
+    rest_split *s = &x->split;
+    const int32_t ways = 1 << (x->joints < MOST_ROUND ? x->joints : MOST_ROUND);
+    double size, least = INFINITY, factor;
+    int inside = 0;
+    for (int32_t turned = 0; turned < ways && !inside; turned++) {
+        press_as(c, x, turned);
+        const int32_t status = seek_split(c, x, load, &inside, &factor, &size);
+        if (status || s->rank == s->rows) return status;
+        least = fmin(least, factor);
     }
     if (load) *load = least;
     *how = inside ? HOLD : load && !(least < INFINITY) ? NOT_TOGETHER : GIVE_WAY;
@@ -358,7 +386,9 @@ HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togethe
         const int32_t status = add_reshare(c, x, size, c->k.event_mu);
         return status ? status : share_forces(c, x);
     }
-    return HOLONOM_OK; /* the dual that is left tells what slips */
+    if (inside || ways == 1) return HOLONOM_OK; /* the dual that is left tells what slips */
+    press_as(c, x, 0);
+    return seek_split(c, x, NULL, &inside, &factor, &size);
 }
 
 /* Finds out, of closed contacts and joints that rub, with the multipliers in event_mu. `load`, if wanted, is the least factor of all
