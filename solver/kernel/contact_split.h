@@ -358,6 +358,7 @@ HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *
         *size = forces_to_split(c, x, c->k.event_mu);
         before = *least;
         if (load) *least = *size > 0.0 ? load_factor(s) : 0.0;
+        if (load && *least > 1.0 + CONE_MARGIN && has_split(s, 1.0 - WELL_INSIDE)) *least = 1.0; /* forces near LARGEST_SPLIT */
         *inside = load ? *least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
         if (s->rank == s->rows || *inside || !x->joints || time == MOST_DIRECTIONS) return HOLONOM_OK;
         if (!load) *least = load_factor(s);
