@@ -279,14 +279,14 @@ HM_SELDOM static int32_t share_forces(context *c, const shared_forces *x)
 #define FAR_BELOW 0.99     /* load factors below, which no event is near to, need no more than FEW_DIGITS             */
 #define FEW_DIGITS 1e-2
 
-/* Least factor of all coefficients with which there is a split, or infinity. */
-static double load_factor(const rest_split *s)
+/* Least factor of all coefficients with which there is a split, or infinity; above 1 with this accuracy. */
+static double load_factor(const rest_split *s, double above)
 {
     double low = 0.0, high = 1.0;
     for (; !has_split(s, high); high *= 2.0)
         if (high > LARGEST_LOAD) return INFINITY;
         else low = high;
-    while (high - low > (high < FAR_BELOW ? FEW_DIGITS : LOAD_ACCURACY) * high) {
+    while (high - low > (high < FAR_BELOW ? FEW_DIGITS : low >= 1.0 ? above : LOAD_ACCURACY) * high) {
         const double middle = 0.5 * (low + high);
         if (has_split(s, middle)) high = middle;
         else low = middle;
@@ -346,7 +346,7 @@ HM_SELDOM static void press_as(const context *c, const shared_forces *x, int32_t
 /* Seeks a split, and with `load` or joints the least factor of all coefficients with which there is one (in `least`); the size of its
    forces. Forces that press joints turn as they are shared, which a split with that factor tells: with their new directions limits are no
    less than before. */
-HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *load, int *inside, double *least, double *size)
+HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *load, double above, int *inside, double *least, double *size)
 {
     rest_split *s = &x->split;
     double before;
@@ -357,11 +357,11 @@ HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *
         equations_of_split(x, s);
         *size = forces_to_split(c, x, c->k.event_mu);
         before = *least;
-        if (load) *least = *size > 0.0 ? load_factor(s) : 0.0;
+        if (load) *least = *size > 0.0 ? load_factor(s, above) : 0.0;
         if (load && *least > 1.0 + CONE_MARGIN && has_split(s, 1.0 - WELL_INSIDE)) *least = 1.0; /* forces near LARGEST_SPLIT */
         *inside = load ? *least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
         if (s->rank == s->rows || *inside || !x->joints || time == MOST_DIRECTIONS) return HOLONOM_OK;
-        if (!load) *least = load_factor(s);
+        if (!load) *least = load_factor(s, above);
         if (!(*least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, *least)) return HOLONOM_OK;
         memcpy(c->k.rest_mu, c->k.event_mu, sizeof(double) * (size_t)c->m->n_rows);
         if ((status = add_reshare(c, x, *size, c->k.rest_mu))) return status;
@@ -372,12 +372,12 @@ HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *
 HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togetherness *how, double *load)
 {
     rest_split *s = &x->split;
-    const int32_t ways = 1 << (x->joints < MOST_ROUND ? x->joints : MOST_ROUND);
+    const int32_t round = x->joints == s->contacts ? 0 : x->joints < MOST_ROUND ? x->joints : MOST_ROUND, ways = 1 << round;
     double size, least = INFINITY, factor;
     int inside = 0;
     for (int32_t turned = 0; turned < ways && !inside; turned++) {
         press_as(c, x, turned);
-        const int32_t status = seek_split(c, x, load, &inside, &factor, &size);
+        const int32_t status = seek_split(c, x, load, turned ? FEW_DIGITS : LOAD_ACCURACY, &inside, &factor, &size);
         if (status || s->rank == s->rows) return status;
         least = fmin(least, factor);
     }
@@ -389,7 +389,7 @@ HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togethe
     }
     if (inside || ways == 1) return HOLONOM_OK; /* the dual that is left tells what slips */
     press_as(c, x, 0);
-    return seek_split(c, x, NULL, &inside, &factor, &size);
+    return seek_split(c, x, NULL, LOAD_ACCURACY, &inside, &factor, &size);
 }
 
 /* Finds out, of closed contacts and joints that rub, with the multipliers in event_mu. `load`, if wanted, is the least factor of all
