@@ -4,7 +4,8 @@
    Parts of a split are closed contacts, those that slide as rays (1, -c d), and frictions of joints that stick, inside the cone
    |T| <= L of their limit L = c N + preload. With W = G M^-1 G' of their rows, reduced by the bilateral rows, all splits x of the
    forces p at hand have the same accelerations, and limits that are linear in x while the forces that press keep
-   their directions. B has orthonormal rows that span those of these equations: B x = B p.                         */
+   their directions. B has orthonormal rows that span those of these equations: B x = B p. What bilateral rows hold is no equation,
+   and their forces are what they have to be: one contact alone may have many splits beside a joint.             */
 #ifndef HOLONOM_CONTACT_SPLIT_H
 #define HOLONOM_CONTACT_SPLIT_H
 
@@ -12,8 +13,8 @@
 #include "rest_split.h"
 
 #define SAME_ROW 1e-10   /* pivot of rows of size 1 that counts as zero                                              */
-#define NO_LOAD 1e-12     /* part of the forces at hand that is left of them where they hold nothing                            */
-#define STILL_MOVES 1e-12 /* of the rate that a row alone would have: what is left of it, above which it is solved for once more */
+#define NO_LOAD 1e-12    /* part of the forces at hand that is left of them where they hold nothing                   */
+#define STILL_MOVES 1e-12 /* rate of a row that should have none, over that without other rows: it is solved for anew above */
 #define WELL_INSIDE 1e-7 /* of the coefficients: a split that is so far inside its cones if there is one stays inside as it is */
 #define SLIPS 1e-6       /* rate over the largest one that counts as a slip                                          */
 
@@ -343,8 +344,8 @@ HM_SELDOM static void press_as(const context *c, const shared_forces *x, int32_t
     }
 }
 
-/* Seeks a split, and with `load` or joints the least factor of all coefficients with which there is one (in `least`); the size of its
-   forces. Forces that press joints turn as they are shared, which a split with that factor tells: with their new directions limits are no
+/* Seeks a split, and with `load` or joints the least factor of all coefficients with which there is one (in `least`, above 1 with the
+   accuracy `above`); the size of its forces. Forces that press joints turn as they are shared, which a split with that factor tells: with their new directions limits are no
    less than before. */
 HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *load, double above, int *inside, double *least, double *size)
 {
@@ -372,7 +373,7 @@ HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *
 HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togetherness *how, double *load)
 {
     rest_split *s = &x->split;
-    const int32_t round = x->joints == s->contacts ? 0 : x->joints < MOST_ROUND ? x->joints : MOST_ROUND, ways = 1 << round;
+    const int32_t turn = x->joints == s->contacts ? 0 : x->joints < MOST_ROUND ? x->joints : MOST_ROUND, ways = 1 << turn;
     double size, least = INFINITY, factor;
     int inside = 0;
     for (int32_t turned = 0; turned < ways && !inside; turned++) {
