@@ -88,8 +88,9 @@ def check_located(run: Integrator, size: float, *, knows: bool) -> None:
         while left and end - run.time > 1e-3 * h and (states := enclose(run, end - run.time)):
             left -= 1
             around = Around(run, *states)
-            check_impact(around)
-            check_path(around)
+            if around.is_one:
+                check_impact(around)
+                check_path(around)
         run.restore(start)
         still = step > 0 and is_still(run)  # what carries nothing opens in the first step
         run.advance(run.time, h)
