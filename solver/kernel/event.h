@@ -234,8 +234,17 @@ HM_SELDOM static double cubic_root(double v0, double r0, double v1, double r1)
     return INFINITY;
 }
 
-/* Estimate of where in (0, h] function k becomes negative, or infinity. */
-HM_SELDOM static double root_between(const context *c, int32_t k, double h, event_values low, event_values high)
+/* Where in (0, 1) the cubic with these ends and slopes, the first one negative and the last one positive, is lowest. */
+HM_SELDOM static double lowest_of_cubic(double v0, double r0, double v1, double r1)
+{
+    const double b = 3.0 * (v1 - v0) - 2.0 * r0 - r1, a = 2.0 * (v0 - v1) + r0 + r1;
+    return -r0 / (b + sqrt(b * b - 3.0 * a * r0));
+}
+
+/* Estimate of where in (0, h] function k becomes negative, or infinity. A distance has a kink where the ball passes through: its tangents
+   meet below 0, and the first trial is there. Tangents of a function that only comes close meet above 0 once its lowest place is
+   known well, which is where the `next` trials are. */
+HM_SELDOM static double root_between(const context *c, int32_t k, double h, int next, event_values low, event_values high)
 {
     const double none = value_tolerance(c, k), v0 = fmax(low.value[k], 0.0), v1 = high.value[k];
     double r0 = h * low.rate[k], r1 = h * high.rate[k];
@@ -245,8 +254,7 @@ HM_SELDOM static double root_between(const context *c, int32_t k, double h, even
         if (v1 >= -none && !(r0 < 0.0 && r1 > 0.0)) return INFINITY;
         const double root = h * cubic_root(v0, r0, v1, r1), touch = (v0 - v1 + r1) / (r1 - r0);
         if (root <= h || v1 < -none) return root;
-        /* A distance has a kink where the ball passes through: its tangents meet below 0, which a trial there shows. */
-        return v0 + r0 * touch < -none ? h * touch : INFINITY;
+        return v0 + r0 * touch < -none ? h * (next ? lowest_of_cubic(v0, r0, v1, r1) : touch) : INFINITY;
     }
     return v1 < -none ? h * v0 / (v0 - v1) : INFINITY;
 }
@@ -303,6 +311,7 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH), at = values_at(c, AT_TRIAL);
     const double least = 4e-16 * (fabs(t) + h);
     double begin = 0.0, end = h, last = INFINITY;
+    int is_open = 1; /* whether no function is known to be negative at `end` */
     *covered = h;
     c->event = -1;
     for (int trial = 0;; trial++) { /* the piece that is left halves in three trials, or faster */
@@ -310,19 +319,23 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
         double first = INFINITY;
         int32_t which = -1;
         for (int32_t k = 0; k < n; k++) {
-            const double root = root_between(c, k, width, low, high);
+            const double root = root_between(c, k, width, trial > 0, low, high);
             if (root < first) first = root, which = k;
         }
         if (which < 0 && trial == 0 && (first = find_dip(c, t, h, low, high, &which)) == 0.0) return HOLONOM_OK;
         /* What a trial showed at `end` counts as 0 by the forces at `begin`. */
-        const int is_end = which < 0 && end < h;
+        const int is_end = which < 0 && !is_open;
         if (is_end) first = width, which = c->event;
         c->event = which;
         if (which < 0) { /* it only came close */
-            *covered = h;
             undo_piece(c, t, law_time);
-            const int32_t status = step_piece(c, h);
-            return status ? status : event_functions(c, high);
+            int32_t status = step_piece(c, h);
+            *covered = h;
+            if (end < h) copy_values(c, high, low), begin = end, end = h, last = INFINITY;
+            else if (!status) return event_functions(c, high);
+            if (!status) status = event_functions(c, high);
+            if (status) return status;
+            continue;
         }
         blame(c, which < c->m->n_contacts ? c->m->contact_row[which] : slip_row(c, which - c->m->n_contacts, 0));
         if (width > 0.5 * last && trial % 3 == 2) first = 0.5 * width; /* one end does not move */
@@ -336,9 +349,12 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
         for (int32_t k = 0; k < n; k++) is_late |= at.value[k] < -value_tolerance(c, k);
         if (is_end || (at.value[which] <= value_tolerance(c, which) && !is_late)) return HOLONOM_OK;
         if (width <= 2.0 * least) return HOLONOM_OK;
-        copy_values(c, at, is_late ? high : low);
-        if (is_late) end = *covered;
+        /* A gap that comes close and grows here again is lowest before. */
+        const int has_passed = is_open && high.rate[which] > 0.0 && at.rate[which] > 0.0 && low.rate[which] < 0.0;
+        copy_values(c, at, is_late || has_passed ? high : low);
+        if (is_late || has_passed) end = *covered;
         else begin = *covered;
+        is_open &= !is_late;
     }
 }
 

@@ -115,7 +115,7 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
             if (status) return status;
             if (i % 2 == 0) continue;
             average_multipliers(c, c->t - 0.5 * h / pairs);
-            keep_pair(c);
+            keep_forces(c, c->s.head[S_MEAN_TIME], c->s.mean);
         }
         if (c->m->time_dependent) set_laws(c, t + h, 1); /* ends are compared under the same laws */
         weigh(c, pairs, covers, booked);

@@ -27,12 +27,12 @@ static int32_t single_step(context *c, double h, int half)
 
 enum { MOST_PAIRS = 16 }; /* of a step: the composition of order 8 has 15 */
 
-/* Keeps the mean multipliers of the pair of half steps just made: its contacts are looked at when the step ends (event.h). */
-static void keep_pair(context *c)
+/* Keeps the multipliers mu at a time within the step at hand: its contacts are looked at when it ends (force_dips.h). */
+static void keep_forces(context *c, double time, const double *mu)
 {
     if (!c->m->unilateral || c->n_pairs == MOST_PAIRS) return;
-    c->k.pair_time[c->n_pairs] = c->s.head[S_MEAN_TIME];
-    memcpy(c->k.pair_mean + (int64_t)c->m->n_rows * c->n_pairs++, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
+    c->k.pair_time[c->n_pairs] = time;
+    memcpy(c->k.pair_mean + (int64_t)c->m->n_rows * c->n_pairs++, mu, sizeof(double) * (size_t)c->m->n_rows);
 }
 
 /* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours

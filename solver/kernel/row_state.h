@@ -106,6 +106,9 @@ static inline int is_of_contact(const context *c, int32_t f)
     return c->m->normal_row[2 * c->m->normal_ptr[f] + 1] == NORMAL_PUSHES;
 }
 
+/* Whether contacts change at the ends of half steps only (stepped.h). */
+static inline int is_stepped(const context *c) { return is_unilateral(c->m) && c->s.head[S_CONTACT_MODE] != 0.0; }
+
 static inline int n_slips(const context *c, int32_t f) { return c->m->friction_row_ptr[f + 1] - c->m->friction_row_ptr[f]; }
 
 static inline int32_t slip_row(const context *c, int32_t f, int k) { return c->m->friction_row[c->m->friction_row_ptr[f] + k]; }

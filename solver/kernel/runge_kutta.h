@@ -19,19 +19,20 @@ enum { MOST_PASSES = 8 };
 #define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
 #define LARGEST_DIFFERENCE 1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
 #define AIMED_DIFFERENCE 5e-4   /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked for more steps */
+#define IMPACTS_GROW 10.0       /* times, an error by the impacts of a mechanism: explicit steps are no nearer than they tell */
 #define MOST_HELD 3.0           /* steps in a row that could not be put back: then compositions serve for good */
 
 /* Whether a model allows explicit steps: put_back brings rows and energy back, and laws tell their powers at any moment. */
 HM_SELDOM static int allows_explicit(const context *c)
 {
-    return !is_unilateral(c->m) && !(c->m->variable_potential && c->m->time_dependent) && are_smooth(c);
+    return !is_stepped(c) && !(c->m->variable_potential && c->m->time_dependent) && are_smooth(c);
 }
 
-/* Whether steps may be explicit now. */
+/* Whether steps may be explicit now. A friction that slides takes energy by pairs alone: some weights of stages are negative. */
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const double mass = c->number[c->m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
-    return mass > 0.0 && c->tolerance > 0.0 && c->s.head[S_HELD] < MOST_HELD && allows_explicit(c);
+    return mass > 0.0 && c->tolerance > 0.0 && !c->sliding && c->s.head[S_HELD] < MOST_HELD && allows_explicit(c);
 }
 
 /* Whether the state is the end of an explicit step. */
@@ -194,7 +195,8 @@ static int is_singular_here(const context *at)
 {
     double largest = 0.0;
     if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT) return 0;
-    EACH_ROW(at, i) largest = fmax(largest, fabs(inverse_pivot(at, i)) * at->k.epsilon[i]);
+    EACH_ROW(at, i)
+        if (state_of_multiplier(at, i) == ROW_IS_ON) largest = fmax(largest, fabs(inverse_pivot(at, i)) * at->k.epsilon[i]);
     return !(largest < WEAKEST_PIVOT);
 }
 
@@ -240,6 +242,7 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h)
         /* Only laws, and drivers, pause at both ends and not in between. */
         if (!status) status = follow_islands(at, h, x->weight[i], i == 0 || i == x->stages - 1 || changes);
         if (status) return status;
+        keep_forces(at, t + h * x->node[i], at->s.mu[0]);
         take_stage(at, h, sum, at->s.a[0], at->k.stages + n * i);
     }
     return HOLONOM_OK;
@@ -340,8 +343,10 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     int32_t status = keep_explicit_start(c, at);
     keep_motion(c, h);
     c->balanced = 0.0;
-    c->growth = 1.0;
+    c->growth = is_unilateral(c->m) ? IMPACTS_GROW : 1.0;
+    at->n_pairs = 0;
     if (!status) status = take_stages(at, x, h);
+    c->n_pairs = at->n_pairs;
     if (status) return status;
     c->difference = difference_of_stages(at, x, h);
     if (!(c->difference <= LARGEST_DIFFERENCE)) {

@@ -69,7 +69,7 @@ WORK = {
     "stages": "24 * n",  # velocities and accelerations of twelve, see stages.h
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
-    "pair_mean": "16 * n_rows * unilateral", "pair_time": "16",  # of the step, see keep_pair
+    "pair_mean": "16 * n_rows * unilateral", "pair_time": "16",  # of the step, see keep_forces
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
     "event_backup": "n_state * unilateral",  # before a step that events may cut
     "touch": "7 * n_contacts",  # see half_step_contacts.h

@@ -95,7 +95,7 @@ static int32_t take_step(context *c, double h)
         if (!status) status = single_step(c, half, 2 * i + 1);
         if (status) break;
         average_multipliers(c, c->t - half);
-        keep_pair(c);
+        keep_forces(c, c->s.head[S_MEAN_TIME], c->s.mean);
     }
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;

@@ -53,8 +53,6 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
     return status ? status : stepped_half(c, 0.5 * h, 1, divisions + 1);
 }
 
-static inline int is_stepped(const context *c) { return is_unilateral(c->m) && c->s.head[S_CONTACT_MODE] != 0.0; }
-
 /* Whether the equations of a step had no solution, as contacts and frictions were. */
 static inline int is_unsolved(int32_t status)
 {
