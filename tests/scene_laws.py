@@ -134,6 +134,9 @@ class Around:
         near = TOUCH * x.section["extent"][0] + 2.0 * between * np.abs(state.gap_rates)
         pushed = self.after.of_contacts[:, 4] > x.of_contacts[:, 4]
         self.touching = np.flatnonzero(pushed | (state.gaps <= near)).tolist()
+        apart = ~pushed & (state.gaps > TOUCH * x.section["extent"][0]) & (state.gaps <= near)
+        self.is_one = not np.any(apart & (state.gap_rates < 0.0))
+        """Whether no contact lands between both states behind the impact."""
         self.normal = [x.contacts[i][0] for i in self.touching]
         of = [x.contacts[i][1] for i in self.touching]
         self.slips = [[] if f is None else x.frictions[f].rows for f in of]

@@ -4,7 +4,8 @@
    Parts of a split are closed contacts, those that slide as rays (1, -c d), and frictions of joints that stick, inside the cone
    |T| <= L of their limit L = c N + preload. With W = G M^-1 G' of their rows, reduced by the bilateral rows, all splits x of the
    forces p at hand have the same accelerations, and limits that are linear in x while the forces that press keep
-   their directions. B has orthonormal rows that span those of these equations: B x = B p.                         */
+   their directions. B has orthonormal rows that span those of these equations: B x = B p. What bilateral rows hold is no equation,
+   and their forces are what they have to be: one contact alone may have many splits beside a joint.             */
 #ifndef HOLONOM_CONTACT_SPLIT_H
 #define HOLONOM_CONTACT_SPLIT_H
 
@@ -12,6 +13,8 @@
 #include "rest_split.h"
 
 #define SAME_ROW 1e-10   /* pivot of rows of size 1 that counts as zero                                              */
+#define NO_LOAD 1e-12    /* part of the forces at hand that is left of them where they hold nothing                   */
+#define STILL_MOVES 1e-12 /* rate of a row that should have none, over that without other rows: it is solved for anew above */
 #define WELL_INSIDE 1e-7 /* of the coefficients: a split that is so far inside its cones if there is one stays inside as it is */
 #define SLIPS 1e-6       /* rate over the largest one that counts as a slip                                          */
 
@@ -91,7 +94,7 @@ HM_SELDOM static int collect_shared(const context *c, shared_forces *x)
         for (int k = 0; k < slips; k++) add_unit(x, slip_row(c, f, k), 1.0);
         x->joints++;
     }
-    return x->split.contacts > 1;
+    return x->split.contacts > 0;
 }
 
 /* What the limit of friction f, less its preload, is with multipliers mu if the forces that press have the directions of
@@ -108,6 +111,24 @@ HM_SELDOM static double limit_along(const context *c, int32_t f, const double *m
     return c->number[m->static_at + f] * sum;
 }
 
+/* Takes from the velocities x that a unit force brings about, with the multipliers in mu, what rows that hold leave of them by rounding,
+   as far from where moments of a joint are measured: W tells by its digits which rows depend on each other. */
+HM_SELDOM static void hold_rows(const context *c, double *x)
+{
+    const int32_t rows = c->m->n_rows;
+    const double *sigma = c->number + c->m->row_sigma_at, least = STILL_MOVES * sqrt(fmax(0.0, mass_product(c, x, x)));
+    double *mu = c->k.row_rate, *more = c->k.ahead;
+    int is_held = 1;
+    memset(c->k.signal_before, 0, sizeof(double) * (size_t)c->m->n_signals);
+    row_rates(c, c->s.q, c->s.q_low, x, c->s.signal, c->k.signal_before, c->k.phi);
+    for (int32_t i = 0; i < rows; i++) is_held &= fabs(c->k.phi[i]) <= least * sqrt(sigma[i]);
+    if (is_held) return;
+    memcpy(mu, c->k.mu, sizeof(double) * (size_t)rows);
+    velocities_for(c, more);
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] += more[k];
+    for (int32_t i = 0; i < rows; i++) c->k.mu[i] += mu[i];
+}
+
 /* W, and what units do to limits. What shares its forces is off, w and modes are to be put back. */
 HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
 {
@@ -121,6 +142,7 @@ HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
     c->cone_mu = c->k.mu;
     for (int32_t u = 0; u < n && !status; u++) {
         status = find_reach(c, x->row[u], u);
+        hold_rows(c, c->k.hit_reach + (int64_t)DIM * c->n_moving * u);
         for (int32_t k = 0; k < x->split.contacts && x->joints; k++)
             x->limit[n * k + u] = x->contact[k] < 0 ? limit_along(c, -1 - x->contact[k], c->k.mu) : 0.0;
     }
@@ -190,19 +212,20 @@ HM_SELDOM static void equations_of_split(const shared_forces *x, rest_split *s)
     }
 }
 
-/* Forces p of multipliers mu, and g = B p over its size, which it returns. */
+/* Forces p of multipliers mu, and g = B p over its size, which it returns: 0 where others hold all that is to be held. */
 HM_SELDOM static double forces_to_split(const context *c, const shared_forces *x, const double *mu)
 {
     const rest_split *s = &x->split;
-    double size2 = 0.0;
+    double size2 = 0.0, whole2 = 0.0;
     take_forces(c, x, mu);
+    for (int32_t l = 0; l < s->rows; l++) whole2 += hm_square(x->p[l]);
     for (int32_t k = 0; k < s->rank; k++) {
         x->g[k] = 0.0;
         for (int32_t l = 0; l < s->rows; l++) x->g[k] += s->B[s->rows * k + l] * x->p[l];
         size2 += x->g[k] * x->g[k];
     }
-    const double size = sqrt(size2);
-    for (int32_t k = 0; k < s->rank; k++) x->g[k] /= size > 0.0 ? size : 1.0;
+    const double size = size2 > hm_square(NO_LOAD) * whole2 ? sqrt(size2) : 0.0;
+    for (int32_t k = 0; k < s->rank; k++) x->g[k] = size > 0.0 ? x->g[k] / size : 0.0;
     return size;
 }
 
@@ -247,7 +270,7 @@ HM_SELDOM static int32_t share_forces(context *c, const shared_forces *x)
     forget_shares(c);
     extrapolate(c, c->t, n, c->s.mean, c->s.mean_before, c->k.rest_mean);
     const double size = forces_to_split(c, x, c->k.rest_mean);
-    if (!(size > 0.0) || !is_held_together(c, &x->split)) return HOLONOM_OK;
+    if (!is_held_together(c, &x->split)) return HOLONOM_OK;
     c->s.head[S_SHARES] = 1.0;
     return add_reshare(c, x, size, c->s.shift);
 }
@@ -257,14 +280,14 @@ HM_SELDOM static int32_t share_forces(context *c, const shared_forces *x)
 #define FAR_BELOW 0.99     /* load factors below, which no event is near to, need no more than FEW_DIGITS             */
 #define FEW_DIGITS 1e-2
 
-/* Least factor of all coefficients with which there is a split, or infinity. */
-static double load_factor(const rest_split *s)
+/* Least factor of all coefficients with which there is a split, or infinity; above 1 with this accuracy. */
+static double load_factor(const rest_split *s, double above)
 {
     double low = 0.0, high = 1.0;
     for (; !has_split(s, high); high *= 2.0)
         if (high > LARGEST_LOAD) return INFINITY;
         else low = high;
-    while (high - low > (high < FAR_BELOW ? FEW_DIGITS : LOAD_ACCURACY) * high) {
+    while (high - low > (high < FAR_BELOW ? FEW_DIGITS : low >= 1.0 ? above : LOAD_ACCURACY) * high) {
         const double middle = 0.5 * (low + high);
         if (has_split(s, middle)) high = middle;
         else low = middle;
@@ -304,31 +327,60 @@ HM_SELDOM static int slip_together(context *c, const shared_forces *x)
     return slides;
 }
 
-enum { MOST_DIRECTIONS = 20 }; /* of the forces that press joints, in turn */
+enum { MOST_DIRECTIONS = 20 /* of the forces that press joints, in turn */, MOST_ROUND = 3 /* joints whose forces may turn round */ };
 
-/* Likewise, see hold_together, with what shares its forces off. Forces that press joints turn as they are shared, which a split with
-   a least factor of the coefficients tells: with their new directions limits are no less than before. */
-HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togetherness *how, double *load)
+/* Takes the forces at hand for those that press, of joint k of the split with bit k of `turned` the opposite ones: a contact that pushes
+   harder may turn them round. */
+HM_SELDOM static void press_as(const context *c, const shared_forces *x, int32_t turned)
+{
+    const holonom_model *m = c->m;
+    memcpy(c->k.rest_mu, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
+    for (int32_t k = 0; k < x->split.contacts; k++) {
+        const int32_t f = -1 - x->contact[k];
+        if (f < 0) continue;
+        for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1] && (turned & 1); at++)
+            c->k.rest_mu[m->normal_row[2 * at]] = -c->k.event_mu[m->normal_row[2 * at]];
+        turned >>= 1;
+    }
+}
+
+/* Seeks a split, and with `load` or joints the least factor of all coefficients with which there is one (in `least`, above 1 with the
+   accuracy `above`); the size of its forces. Forces that press joints turn as they are shared, which a split with that factor tells: with their new directions limits are no
+   less than before. */
+HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *load, double above, int *inside, double *least, double *size)
 {
     rest_split *s = &x->split;
-    const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
-    double size, least = INFINITY, before;
-    int inside;
-    memcpy(c->k.rest_mu, c->k.event_mu, rows);
+    double before;
+    *least = INFINITY;
     for (int time = 0;; time++) {
         int32_t status = fill_shared(c, x);
         if (status) return status;
         equations_of_split(x, s);
-        size = forces_to_split(c, x, c->k.event_mu);
-        if (s->rank == s->rows || !(size > 0.0)) return HOLONOM_OK;
-        before = least;
-        if (load) least = load_factor(s);
-        inside = load ? least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
-        if (inside || !x->joints || time == MOST_DIRECTIONS) break;
-        if (!load) least = load_factor(s);
-        if (!(least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, least)) break;
-        memcpy(c->k.rest_mu, c->k.event_mu, rows);
-        if ((status = add_reshare(c, x, size, c->k.rest_mu))) return status;
+        *size = forces_to_split(c, x, c->k.event_mu);
+        before = *least;
+        if (load) *least = *size > 0.0 ? load_factor(s, above) : 0.0;
+        if (load && *least > 1.0 + CONE_MARGIN && has_split(s, 1.0 - WELL_INSIDE)) *least = 1.0; /* forces near LARGEST_SPLIT */
+        *inside = load ? *least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
+        if (s->rank == s->rows || *inside || !x->joints || time == MOST_DIRECTIONS) return HOLONOM_OK;
+        if (!load) *least = load_factor(s, above);
+        if (!(*least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, *least)) return HOLONOM_OK;
+        memcpy(c->k.rest_mu, c->k.event_mu, sizeof(double) * (size_t)c->m->n_rows);
+        if ((status = add_reshare(c, x, *size, c->k.rest_mu))) return status;
+    }
+}
+
+/* Likewise, see hold_together, with what shares its forces off. */
+HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togetherness *how, double *load)
+{
+    rest_split *s = &x->split;
+    const int32_t turn = x->joints == s->contacts ? 0 : x->joints < MOST_ROUND ? x->joints : MOST_ROUND, ways = 1 << turn;
+    double size, least = INFINITY, factor;
+    int inside = 0;
+    for (int32_t turned = 0; turned < ways && !inside; turned++) {
+        press_as(c, x, turned);
+        const int32_t status = seek_split(c, x, load, turned ? FEW_DIGITS : LOAD_ACCURACY, &inside, &factor, &size);
+        if (status || s->rank == s->rows) return status;
+        least = fmin(least, factor);
     }
     if (load) *load = least;
     *how = inside ? HOLD : load && !(least < INFINITY) ? NOT_TOGETHER : GIVE_WAY;
@@ -336,7 +388,9 @@ HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togethe
         const int32_t status = add_reshare(c, x, size, c->k.event_mu);
         return status ? status : share_forces(c, x);
     }
-    return HOLONOM_OK; /* the dual that is left tells what slips */
+    if (inside || ways == 1) return HOLONOM_OK; /* the dual that is left tells what slips */
+    press_as(c, x, 0);
+    return seek_split(c, x, NULL, LOAD_ACCURACY, &inside, &factor, &size);
 }
 
 /* Finds out, of closed contacts and joints that rub, with the multipliers in event_mu. `load`, if wanted, is the least factor of all

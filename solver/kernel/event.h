@@ -102,7 +102,7 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     double load = INFINITY;
     enum togetherness how = NOT_TOGETHER;
     if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
-    else forget_shares(c);
+    else if (has_shares(c)) status = share_means(c);
     if (how != NOT_TOGETHER) value_together(c, x, load);
     return status;
 }

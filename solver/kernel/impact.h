@@ -163,11 +163,9 @@ HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
     return status;
 }
 
-/* Whether contact i takes part in an impact: it touches and does not part. */
-HM_SELDOM static int takes_part(const context *c, int32_t i)
-{
-    return gap_of(c, i) <= gap_tolerance(c) && gap_rate(c, i) <= speed_tolerance(c);
-}
+/* Whether contact i touches, so that it takes part in an impact. One that parts does, too: others may bring it back, and its rates must not
+   jump where it parts ever slower. */
+HM_SELDOM static int touches(const context *c, int32_t i) { return gap_of(c, i) <= gap_tolerance(c); }
 
 /* Restitution of contact i, with the accelerations before the impact in w: 0 if it approaches slowly, or if the flight that
    follows would be short. Neither depends on the step, so that what is lost does not.                             */
@@ -198,7 +196,7 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     *has_hit = 0;
     map_hit(c, &x);
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (takes_part(c, i) && gap_rate(c, i) < most) most = gap_rate(c, i), fastest = i;
+        if (touches(c, i) && gap_rate(c, i) < most) most = gap_rate(c, i), fastest = i;
     if (fastest < 0) return HOLONOM_OK;
     *has_hit = 1;
     blame(c, c->m->contact_row[fastest]);
@@ -207,7 +205,7 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     /* One that does not rebound takes along what it touches: alone, hits of two would go on and on. */
     const int sequential = c->s.head[S_IMPACT_LAW] != 0.0 && restitution_of(c, fastest) > 0.0;
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (takes_part(c, i) && (!sequential || i == fastest) && !add_to_hit(c, &x, i, restitution_of(c, i)))
+        if (touches(c, i) && (!sequential || i == fastest) && !add_to_hit(c, &x, i, restitution_of(c, i)))
             return HOLONOM_IMPACT_UNSOLVED;
     if (!add_joints_to_hit(c, &x)) return HOLONOM_IMPACT_UNSOLVED;
     open_all(c);

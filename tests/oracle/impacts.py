@@ -243,7 +243,7 @@ def hit(mechanism: Mechanism) -> tuple[bool, bool]:
     state, n = State(mechanism), mechanism.n_free
     if not np.any(state.touches & (state.gap_rates < -state.speed_tolerance)):
         return False, True
-    taking = state.touches & (state.gap_rates <= state.speed_tolerance)
+    taking = state.touches.copy()
     fastest = int(np.argmin(np.where(taking, state.gap_rates, np.inf)))
     e = restitutions(mechanism, state)
     if mechanism.head["impact_law"] and e[fastest] > 0.0:

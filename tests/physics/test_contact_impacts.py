@@ -10,6 +10,7 @@ import math
 
 import pytest
 
+import solver
 from tests.contact_events import begin, cover, even, events_of, number, times_of
 from tests.contact_scenes import (
     ball,
@@ -273,3 +274,36 @@ def test_what_slides_along_a_wall_does_not_bounce_where_an_input_changes(order):
         assert integrator["wall.mode"] == 1.0
         assert integrator["wall.impacts"] == 0.0
     assert number(integrator, "energy.error") < 1e-13
+
+
+@pytest.mark.parametrize("parting", [0.0, 1e-13, 1e-11, 1e-9, 1e-6, 1e-3, 0.1])
+def test_an_end_of_a_rod_that_parts_ever_slower_does_not_make_the_impact_of_the_other_jump(parting):
+    """A rod of 1 kg and 1 m hits with one end at 1 m/s while the other parts from its stop.
+
+    W is 4 for each end and -2 between them, so that the other end comes back to rest at half its
+    speed; from there on W is 3. The compression gives back e^2 of its work.
+    """
+    e, speed = 0.8, 1.0 - 2.0 * parting
+    work = (1.0 - speed**2) / 8.0 + speed**2 / 6.0
+    rebound = e * math.sqrt(6.0 * work)
+    stops = "\n".join(
+        f'{name} = {{ type = "plane", point = "rod.{name}", axis = [0, 1], restitution = {e} }}'
+        for name in ("left", "right")
+    )
+    found = solver.simulate(solver.loads(f"""
+name = "rod"
+dimension = 2
+gravity = [0, 0]
+[bodies.rod]
+position = [0, 0]
+mass = 1
+inertia = {1 / 12!r}
+velocity = [0, {(parting - 1.0) / 2!r}]
+angular_velocity = {1.0 + parting!r}
+points = {{ left = [-0.5, 0], right = [0.5, 0] }}
+[contacts]
+{stops}
+"""), stop_time=0.01, step_size=0.01)  # fmt: skip
+    assert found["rod.vy"][-1] == pytest.approx(rebound / 2.0, rel=1e-9)
+    assert found["rod.angular_velocity"][-1] == pytest.approx(-rebound, rel=1e-9)
+    assert found["energy.impact"][-1] == pytest.approx((1.0 - e**2) * work, rel=1e-9)
