@@ -30,7 +30,7 @@ HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const doub
     const holonom_model *m = c->m;
     /* A slip that is stopped overshoots by the slope of its law, and comes back so, for ever; by a part of the chord it does not. */
     const double turns = c->careful && is_smooth(c, f) ? 0.5 : 1.0;
-    const double per_slip = slip != 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
+    const double per_slip = slip != 0.0 ? cone(c, f, 1, normal_force(c, f, c->cone_mu)) / slip : 0.0;
     for (int l = 0; l < n_slips(c, f) && per_slip != 0.0; l++) {
         const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
         const int32_t *node = m->composite_node + m->composite_node_ptr[j], *end = m->composite_node + m->composite_node_ptr[j + 1];
@@ -72,7 +72,7 @@ HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
                 if (how == NORMAL_BEGINS) sum_of_squares(c, f, at, c->cone_mu, &root);
                 const double slope = how == NORMAL_PUSHES ? -1.0 : root > 0.0 ? c->cone_mu[row] / root : 0.0;
                 const double epsilon = c->k.epsilon[row_of(c, slip_row(c, f, k))];
-                value[*slot++] += c->lagged ? 0.0 : epsilon * c->number[m->sliding_at + f] * slope * along[k];
+                value[*slot++] += epsilon * c->number[m->sliding_at + f] * slope * along[k];
             }
         if ((n_slips(c, f) > 1 || is_smooth(c, f)) && !c->at_state) status = turning_tangent(c, f, along, slip, value);
         if (status) return status;
