@@ -8,7 +8,6 @@
 enum {
     MOST_CHOICES = 60, /* solutions of a half step                                                                */
     PATIENCE = 5,      /* choices in turn that may not lower the number of objections                             */
-    MOST_LAGS = 6,     /* solutions with the cones of the one before                                              */
     FEW = 2,           /* objections that change the choice without a guess                                       */
     FEW_NEAR = 8,      /* contacts near that need no guess                                                        */
     MOST_GUESSES = 8,
@@ -16,7 +15,6 @@ enum {
 };
 #define RELAXATION 1.6     /* of these sweeps                                                                   */
 #define BEYOND 10.0        /* times the largest force guessed: contacts contradict each other                   */
-#define LAG_TOLERANCE 1e-9 /* change of a normal force over the largest one at which cones no longer lag        */
 
 /* Gradient of gap i over its free nodes, in the middle of the half step. */
 static int32_t gradient_of_gap(const context *c, int32_t i, double *gradient, double *gap)
@@ -163,37 +161,16 @@ static void take_modes_back(context *c)
     memcpy(c->s.contacts, c->k.stepped_backup + (c->s.contacts - c->s.head), bytes);
 }
 
-/* First stage. Where no choice agrees, since friction is strong, the cones' normal forces lag: each problem is then one of
-   a convex function, and what friction does is booked as it is.                                                 */
+/* First stage. Slips that stop do so within the half step or, where no choice agrees, at its start. */
 static int32_t solve_contacts(context *c, int parity)
 {
-    const holonom_model *m = c->m;
-    const double *last = c->s.mu[1 - parity];
     int32_t status = HOLONOM_CONTACT_UNDECIDED;
-    c->lagged = 0;
-    for (int at_once = 0; at_once < 2; at_once++) {
+    for (int at_once = 0; at_once < 2 && may_choose_anew(status); at_once++) {
+        if (at_once) take_modes_back(c);
         begin_choice(c, c->h);
         status = solve_choices(c, parity, at_once);
-        if (!may_choose_anew(status) || !m->n_frictions) return status;
-        take_modes_back(c);
+        if (!c->m->n_frictions) break;
     }
-    for (int32_t f = 0; f < m->n_frictions; f++)
-        c->k.lag[f] = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, last), 0.0);
-    c->lagged = 1;
-    for (int lag = 0; lag < MOST_LAGS; lag++) {
-        double change = 0.0, largest = 0.0;
-        take_modes_back(c);
-        begin_choice(c, c->h);
-        if ((status = solve_choices(c, parity, 1))) break;
-        for (int32_t f = 0; f < m->n_frictions; f++) {
-            const double normal = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, c->k.mu), 0.0);
-            change = fmax(change, fabs(normal - c->k.lag[f]));
-            largest = fmax(largest, normal);
-            c->k.lag[f] = lag > 1 ? 0.5 * (c->k.lag[f] + normal) : normal;
-        }
-        if (change <= LAG_TOLERANCE * largest) break;
-    }
-    c->lagged = 0;
     return status;
 }
 

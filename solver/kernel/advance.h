@@ -160,7 +160,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (moves) settle_sides(&c, start, 1); /* slopes tell where inputs go */
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = head[S_SWITCHED] = 0.0;
-    head[S_JAMS] = head[S_NEWTON_IMPACTS] = head[S_MIXED_IMPACTS] = 0.0;
+    head[S_JAMS] = head[S_NEWTON_IMPACTS] = head[S_MIXED_IMPACTS] = head[S_DEFERRED_FRICTIONS] = 0.0;
     if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : take_functions(&c, moves);

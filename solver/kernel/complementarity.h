@@ -89,7 +89,7 @@ static void change_frictions(context *c, objections *x)
         double along[3];
         if (mode == FRICTION_OFF || is_smooth(c, f)) continue;
         if (mode == FRICTION_STICKS) {
-            const double limit = cone(c, f, 0, normal_in_cone(c, f, c->k.mu));
+            const double limit = cone(c, f, 0, normal_force(c, f, c->k.mu));
             const double force = friction_force(c, f, c->k.mu, along);
             if (!(force > limit + CONE_MARGIN * fabs(limit) + none) || !add_objection(c, x, c->m->n_contacts + f)) continue;
             forget_stop(c, f);

@@ -36,7 +36,7 @@ HM_SELDOM static void turning_tangent(const context *c, int32_t j, int32_t size,
     const int32_t *slots[3];
     /* A slip that is stopped overshoots by the slope of its law, and comes back so, for ever; by a part of the chord it does not. */
     const double turns = c->careful && is_smooth(c, f) ? 0.5 : 1.0;
-    const double per_slip = slip != 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
+    const double per_slip = slip != 0.0 ? cone(c, f, 1, normal_force(c, f, c->cone_mu)) / slip : 0.0;
     if (per_slip == 0.0) return;
     int l = 0;
     while (slip_row(c, f, l) != j) l++;
@@ -76,7 +76,7 @@ HM_SELDOM static void cone_tangent(const context *c, double *value)
                 if (how == NORMAL_BEGINS) sum_of_squares(c, f, at, c->cone_mu, &root);
                 const double slope = how == NORMAL_PUSHES ? -1.0 : root > 0.0 ? c->cone_mu[row] / root : 0.0;
                 const double epsilon = c->k.epsilon[row_of(c, slip_row(c, f, k))];
-                value[*slot++] += c->lagged ? 0.0 : epsilon * c->number[m->sliding_at + f] * slope * along[k];
+                value[*slot++] += epsilon * c->number[m->sliding_at + f] * slope * along[k];
             }
     }
 }

@@ -144,11 +144,12 @@ HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
 }
 
 /* First guess of a friction's mode: with slip it slides; without slip one that was about to slide still is, and others
-   stick. Without coefficient and preload it is off, since it would be at its cone always. A smooth one slides.   */
+   stick. Without coefficient and preload it is off, since it would be at its cone always. A smooth one slides. That of a
+   contact is off while it is deferred.                                                                           */
 HM_SELDOM static void guess_friction(context *c, int32_t f)
 {
     double along[3];
-    if (!(cone(c, f, 0, 1.0) > 0.0)) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+    if (!(cone(c, f, 0, 1.0) > 0.0) || is_deferred(c, f)) friction_of(c, f)[F_MODE] = FRICTION_OFF;
     else if (slip_at_state(c, f, along) > speed_tolerance(c) || is_smooth(c, f)) let_slide(c, f, along);
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }

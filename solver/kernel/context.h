@@ -52,7 +52,7 @@ typedef struct context {
     const holonom_elimination *secants_lu;
     int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
     double unsettled;   /* size of the step's last increment over its length [kg^1/2 m/s]; infinite before the first one */
-    int lagged;         /* whether cones take the normal forces `lag`                                        */
+    int defers_friction; /* whether frictions of contacts act at the end of a half step alone, see stepped.h      */
     int32_t n_pairs;    /* pairs of half steps of the cover or composition at hand whose means are kept       */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
@@ -239,7 +239,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->divided = c->sliding = c->soft = c->outside = c->together = c->gives_way = c->stepping = c->reads = c->foretells = c->n_pairs = c->n_secants = c->has_last = c->lagged = 0;
+    c->at_fault = c->divided = c->sliding = c->soft = c->outside = c->together = c->gives_way = c->stepping = c->reads = c->foretells = c->n_pairs = c->n_secants = c->has_last = c->defers_friction = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);

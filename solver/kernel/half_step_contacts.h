@@ -14,7 +14,7 @@ typedef struct touch {
     double gap, rate; /* at its start; the rate where it is near, else 0                                         */
     double was_closed, is_near;
     double normal; /* its force by the last choice that was solved, or guessed                                    */
-    double lands, taken; /* after the first stage: whether it has just closed; energy that its normal force took  */
+    double lands, taken; /* after the first stage: how it takes part in the second (velocity_stage.h); energy that its normal force took */
 } touch;
 
 static inline touch *touch_of(const context *c, int32_t i) { return (touch *)(void *)c->k.touch + i; }
@@ -92,7 +92,7 @@ static void begin_choice(context *c, double h)
         forget_stop(c, f);
         for (int k = 0; k < n_slips(c, f); k++)
             c->k.slip_before[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
-        if (mode == FRICTION_SLIDES || !is_of_contact(c, f)) guess_friction(c, f);
+        if (mode == FRICTION_SLIDES || !is_of_contact(c, f) || is_deferred(c, f)) guess_friction(c, f);
     }
     for (int32_t i = 0; i < m->n_contacts; i++) {
         const touch *x = touch_of(c, i);

@@ -173,7 +173,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
     y->loss[0] = head[S_DISSIPATED], y->loss[1] = head[S_FRICTION], y->loss[2] = head[S_IMPACT];
     y->contact_solver[0] = head[S_EVENTS] + head[S_SWITCHED], y->contact_solver[1] = head[S_STEPPED];
     y->contact_solver[2] = head[S_JAMS], y->contact_solver[3] = head[S_NEWTON_IMPACTS];
-    y->contact_solver[4] = head[S_MIXED_IMPACTS];
+    y->contact_solver[4] = head[S_MIXED_IMPACTS], y->contact_solver[5] = head[S_DEFERRED_FRICTIONS];
 }
 
 /* Energies, and the largest scaled residuals of the rows. */

@@ -148,12 +148,6 @@ static double normal_force(const context *c, int32_t f, const double *mu)
     return sum;
 }
 
-/* Normal force that the cone takes: that of mu, or of an earlier solution where cones lag (active_contacts.h). */
-static inline double normal_in_cone(const context *c, int32_t f, const double *mu)
-{
-    return c->lagged ? c->k.lag[f] : normal_force(c, f, mu);
-}
-
 /* Friction with that normal force: the one with which f slides, or up to which it sticks. */
 static double cone(const context *c, int32_t f, int sliding, double normal)
 {
@@ -163,6 +157,11 @@ static double cone(const context *c, int32_t f, int sliding, double normal)
 
 /* Whether friction f is smooth: it always slides, and no event begins or ends with it. */
 static inline int is_smooth(const context *c, int32_t f) { return c->number[c->m->smooth_speed_at + f] > 0.0; }
+
+/* Whether friction f may be deferred to the end of a half step: that of a contact with Coulomb's law. */
+static inline int may_be_deferred(const context *c, int32_t f) { return is_of_contact(c, f) && !is_smooth(c, f); }
+
+static inline int is_deferred(const context *c, int32_t f) { return c->defers_friction && may_be_deferred(c, f); }
 
 static int has_smooth(const context *c)
 {
@@ -217,7 +216,7 @@ static void follow_cones(const context *c)
     for (int32_t f = 0; f < n_frictions(c->m); f++) {
         double along[3];
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
-        const double force = cone(c, f, 1, normal_in_cone(c, f, c->k.mu));
+        const double force = cone(c, f, 1, normal_force(c, f, c->k.mu));
         slip_direction(c, f, along);
         for (int k = 0; k < n_slips(c, f); k++) c->k.lambda[row_of(c, slip_row(c, f, k))] = force * along[k];
     }

@@ -288,6 +288,16 @@ static void say_newton(hm_text *text, const double *head)
            head[S_NEWTON_IMPACTS]);
 }
 
+/* Says that friction acted at the ends of pieces of half steps. */
+static void say_deferred(hm_text *text, const double *head)
+{
+    if (!HM_CONTACTS || head[S_DEFERRED_FRICTIONS] == 0.0) return;
+    hm_say(text, "until t = %6g s the friction of contacts acts at the end of %6g short pieces of half steps alone, inside its cones, since no "
+                 "choice of those that stick agreed with the forces (solver.deferred_frictions counts them); a smaller solver.step_size "
+                 "makes the error smaller",
+           head[S_TIME], head[S_DEFERRED_FRICTIONS]);
+}
+
 /* Says that energies are off the ledger though steps are solved. */
 static void say_open_ledger(hm_text *text, const double *head)
 {
@@ -405,7 +415,7 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
 {
     if (!(said & REMARK_NUMBERS)) hm_broken_rules(text, f, numbers, RULES_NOTED);
     said |= REMARK_NUMBERS;
-    for (int what = REMARK_ORDER; what <= REMARK_NEWTON; what *= 2) {
+    for (int what = REMARK_ORDER; what <= REMARK_DEFERRED; what *= 2) {
         const size_t begin = text->used;
         if (said & what) continue;
         if (begin) hm_say(text, "\n");
@@ -414,6 +424,7 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
         if (what == REMARK_ORDER) lasting = say_order_limit(text, f, numbers, s->head);
         else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
         else if (what == REMARK_NEWTON) say_newton(text, s->head);
+        else if (what == REMARK_DEFERRED) say_deferred(text, s->head);
         else if (what == REMARK_SAMPLING) say_missed_load(text, f, s);
         else if (s->head[S_COARSENESS] > HOLONOM_MOST_COARSENESS && is_over(s->head) == (what == REMARK_COARSE_RUN))
             say_coarse_steps(text, f, numbers, s, what == REMARK_COARSE_RUN);

@@ -77,7 +77,6 @@ WORK = {
     "rubbed": "n_frictions",  # energies taken in its first stage
     "share": "n_frictions",  # part of the half step until a slip stops
     "sweep": "n_contacts * (n_local + 4)",  # gradients and forces of those near
-    "lag": "n_frictions",  # normal forces of cones, where they lag
     "stop": "n_rows * unilateral",  # ways of slips that stop in the half step
     "slip_before": "n_rows * unilateral",  # slips at its start
     "stepped_backup": "n_state * unilateral",  # before a half step of stepped mode

@@ -92,7 +92,7 @@ int hm_say_closing(hm_text *text, const hm_model_file *file, const double *numbe
 void hm_say_steps(hm_text *text, const double *head, int is_explicit);
 
 /* Remarks on a run that goes on, each once; that its steps are too long again when it has lasted as long as it was to. */
-enum hm_remark { REMARK_ORDER = 1, REMARK_LEDGER = 2, REMARK_SAMPLING = 4, REMARK_COARSENESS = 8, REMARK_COARSE_RUN = 16, REMARK_NEWTON = 32, REMARK_NUMBERS = 64 };
+enum hm_remark { REMARK_ORDER = 1, REMARK_LEDGER = 2, REMARK_SAMPLING = 4, REMARK_COARSENESS = 8, REMARK_COARSE_RUN = 16, REMARK_NEWTON = 32, REMARK_DEFERRED = 64, REMARK_NUMBERS = 128 };
 
 /* Says what a step showed that was not said before; returns what was said until now. */
 int hm_remark(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state, int said, int heard);

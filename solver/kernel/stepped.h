@@ -11,9 +11,10 @@
 #include "switches.h"
 #include "velocity_stage.h"
 
-enum { MOST_DIVISIONS = 7 }; /* of a half step that fails */
-
-static double booked(const context *c, int account) { return c->s.head[account] + c->s.head[account + 1]; }
+enum {
+    MOST_DIVISIONS = 7, /* of a half step that fails                                                             */
+    DEFERS_FROM = 5     /* of them: from there on friction may be deferred                                        */
+};
 
 /* One half step, which counts only if its ledger closes and contacts give no energy. */
 static int32_t try_half(context *c, double h, int half)
@@ -36,18 +37,35 @@ static int32_t try_half(context *c, double h, int half)
     return by_hits + by_slips >= -allowed ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* A half step of length h; where it fails, two of half its length. */
+static int contacts_rub(const context *c)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (may_be_deferred(c, f)) return 1;
+    return 0;
+}
+
+/* A half step of length h; where it fails, two of half its length. No choice may agree with Coulomb's law: two corners of an edge that
+   stop one after the other contradict each other, however short the step is. A short piece that fails is then taken with friction
+   deferred: its contacts have none in the first stage, and that of the whole piece in the second, by the law of impact, which always
+   has impulses inside the cones.                                                                                 */
 static int32_t stepped_half(context *c, double h, int half, int divisions)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
+    const int may_defer = divisions >= DEFERS_FROM && contacts_rub(c);
     keep_state(c, c->k.stepped_backup);
-    int32_t status = HOLONOM_OK;
-    for (c->careful = 0; c->careful <= has_smooth(c); c->careful++) {
-        status = try_half(c, h, half);
-        if (!status) return HOLONOM_OK;
-        restore_state(c, c->k.stepped_backup, t, law_time);
-        lower_penalties(c);
-    }
+    int32_t status = HOLONOM_CONTACT_UNDECIDED;
+    for (int defers = 0; defers <= may_defer && may_choose_anew(status); defers++)
+        for (c->careful = 0; c->careful <= has_smooth(c); c->careful++) {
+            c->defers_friction = defers;
+            status = try_half(c, h, half);
+            c->defers_friction = 0;
+            if (!status) {
+                c->s.head[S_DEFERRED_FRICTIONS] += defers;
+                return HOLONOM_OK;
+            }
+            restore_state(c, c->k.stepped_backup, t, law_time);
+            lower_penalties(c);
+        }
     if (divisions == MOST_DIVISIONS) return status;
     status = stepped_half(c, 0.5 * h, 0, divisions + 1);
     return status ? status : stepped_half(c, 0.5 * h, 1, divisions + 1);

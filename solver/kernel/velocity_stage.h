@@ -13,8 +13,10 @@
 
 #include "half_step_contacts.h"
 
-enum { LANDS = 1, LANDS_AMONG_MANY };
+enum { IS_HELD, LANDS, LANDS_AMONG_MANY, RUBS }; /* contacts: rubs, was closed before and has its friction here alone */
 enum { MANY_ROWS = 60 }; /* of contacts, frictions and joints that rub: dense matrices of theirs are factored for each piece of a path */
+
+static double booked(const context *c, int account) { return c->s.head[account] + c->s.head[account + 1]; }
 
 /* Keeps what contacts and frictions did in the first stage, which is at hand: impulses against all rows (in event_mu), and energies. */
 static void keep_first_stage(const context *c)
@@ -22,7 +24,7 @@ static void keep_first_stage(const context *c)
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = c->h * c->k.mu[i];
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t row = row_of(c, c->m->contact_row[i]);
-        touch_of(c, i)->lands = is_landing(c, i) ? LANDS : 0.0;
+        touch_of(c, i)->lands = is_landing(c, i) ? LANDS : is_closed(c, i) && c->defers_friction ? RUBS : IS_HELD;
         touch_of(c, i)->taken = is_closed(c, i) ? c->k.mu[row] * c->k.change[row] : 0.0;
     }
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
@@ -41,18 +43,24 @@ static int is_of_island(const context *c, int32_t j, int32_t island)
     return j >= begin[ISLAND_FUNCTION] && j < begin[ISLAND_COLUMNS + ISLAND_FUNCTION];
 }
 
-static int contacts_land(const context *c, int32_t island)
+/* Whether a contact of that island takes part so. */
+static int island_has(const context *c, int32_t island, int how)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (touch_of(c, i)->lands == LANDS && is_of_island(c, c->m->contact_row[i], island)) return 1;
+        if (touch_of(c, i)->lands == how && is_of_island(c, c->m->contact_row[i], island)) return 1;
     return 0;
 }
+
+/* Whether the law of impact acts on that island. */
+static int is_hit(const context *c, int32_t island) { return island_has(c, island, LANDS) || island_has(c, island, RUBS); }
+
+static inline int has_landed(const touch *x) { return x->lands == LANDS || x->lands == LANDS_AMONG_MANY; }
 
 /* Restitution of contact i. A flight that begins and ends in one half step is the last one, unless nothing is lost. */
 static double restitution_in_step(const context *c, int32_t i)
 {
     const touch *x = touch_of(c, i);
-    const double e = x->lands != 0.0 ? c->number[c->m->restitution_at + i] : 0.0;
+    const double e = has_landed(x) ? c->number[c->m->restitution_at + i] : 0.0;
     return e < 1.0 && x->gap <= gap_tolerance(c) && x->rate > 0.0 ? 0.0 : e;
 }
 
@@ -76,7 +84,7 @@ static int collect_landing(const context *c, hit *x, int32_t island, double *tak
             x->normal[r] = 0.0;
         }
         if (i < 0) *rubbed += c->k.rubbed[-1 - i];
-        else if (touch_of(c, i)->lands != 0.0) x->normal[first] = x->out[first], x->out[first] = 0.0;
+        else if (has_landed(touch_of(c, i))) x->normal[first] = x->out[first], x->out[first] = 0.0;
     }
     return 1;
 }
@@ -102,11 +110,11 @@ static double part_taken_out(const hit *x, double taken)
 }
 
 /* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone would give back more than was taken, the
-   same part of all of them goes.                                                                                  */
-static void take_out(const context *c, const hit *x, double taken)
+   same part of all of them goes. Where none `lands` all of them go.                                               */
+static void take_out(const context *c, const hit *x, double taken, int lands)
 {
     const int32_t n = x->law.rows;
-    double part = part_taken_out(x, taken);
+    double part = lands ? part_taken_out(x, taken) : 0.0;
     if (part < 0.0) {
         for (int32_t r = 0; r < n; r++) x->normal[r] += x->out[r], x->out[r] = 0.0;
         part = fmax(part_taken_out(x, taken), 0.0);
@@ -131,7 +139,7 @@ static void end_landing(context *c, const hit *x)
         double *own = contact_of(c, i);
         const int closed = is_closed(c, i);
         own[C_IMPULSE] += x->law.impulse[r] + x->out[r];
-        if (touch_of(c, i)->lands != 0.0) {
+        if (has_landed(touch_of(c, i))) {
             own[C_IMPACTS] += x->before[r] < -speed_tolerance(c) ? 1.0 : 0.0;
             c->s.head[S_EVENTS] += 1.0;
         }
@@ -140,16 +148,18 @@ static void end_landing(context *c, const hit *x)
     }
 }
 
-/* The impact of an island in which contacts land. */
+/* The impact of an island in which contacts land, or its friction that was deferred. */
 static int32_t land(context *c, int32_t island)
 {
+    const int lands = island_has(c, island, LANDS);
+    const double before = booked(c, S_IMPACT);
     const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
     double taken, rubbed;
     hit x;
     map_hit(c, &x);
     if (!collect_landing(c, &x, island, &taken, &rubbed)) {
         for (int32_t i = 0; i < c->m->n_contacts; i++)
-            if (touch_of(c, i)->lands == LANDS && is_of_island(c, c->m->contact_row[i], island)) touch_of(c, i)->lands = LANDS_AMONG_MANY;
+            if (is_of_island(c, c->m->contact_row[i], island)) touch_of(c, i)->lands = touch_of(c, i)->lands == LANDS ? LANDS_AMONG_MANY : IS_HELD;
         return HOLONOM_OK;
     }
     memcpy(c->k.rest_modes, c->s.contacts, modes);
@@ -157,7 +167,7 @@ static int32_t land(context *c, int32_t island)
     const double kinetic = kinetic_energy(c, c->k.momentum);
     int32_t status = fill_hit(c, &x);
     if (!status) {
-        take_out(c, &x, taken + rubbed);
+        take_out(c, &x, taken + rubbed, lands);
         for (int32_t k = 0; k < x.law.contacts; k++)
             if (!(-x.before[x.first[k]] > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) x.restitution[k] = 0.0;
         status = solve_hit(c, &x) ? HOLONOM_IMPACT_UNSOLVED : HOLONOM_OK;
@@ -166,6 +176,11 @@ static int32_t land(context *c, int32_t island)
     if (!status) status = apply_impulses(c, &x, kinetic);
     book(c, S_FRICTION, -rubbed); /* what friction takes in an impact is the impact's */
     book(c, S_IMPACT, rubbed);
+    if (!lands) { /* its contacts stay closed: what they take is friction's */
+        const double loss = booked(c, S_IMPACT) - before;
+        book(c, S_IMPACT, -loss);
+        book(c, S_FRICTION, loss);
+    }
     memcpy(c->s.contacts, c->k.rest_modes, modes);
     if (!status) end_landing(c, &x);
     return status;
@@ -187,7 +202,7 @@ static int rates_to_stop(context *c)
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         look_at(c, island, island + 1);
-        if (island_has_contact(c) && !contacts_land(c, island)) {
+        if (island_has_contact(c) && !is_hit(c, island)) {
             holds = 1;
             continue;
         }
@@ -320,8 +335,12 @@ static int32_t change_velocities(context *c)
     int32_t status = HOLONOM_OK;
     keep_first_stage(c);
     evaluate_state(c);
+    const int deferred = c->defers_friction;
+    c->defers_friction = 0;
+    for (int32_t i = 0; i < c->m->n_contacts && deferred; i++)
+        if (is_closed(c, i) && c->m->contact_friction[i] >= 0) guess_friction(c, c->m->contact_friction[i]);
     for (int32_t island = 0; island < c->m->n_islands && !status; island++)
-        if (contacts_land(c, island)) status = land(c, island);
+        if (is_hit(c, island)) status = land(c, island);
     if (!status) status = hold(c, 0);
     if (!status && stop_reversed(c)) status = hold(c, 1);
     for (int32_t i = 0; i < c->m->n_contacts && !status; i++)

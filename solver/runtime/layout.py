@@ -315,6 +315,7 @@ HEAD = (
     "jams", "newton_impacts",  # impacts in it that jammed, and where Newton's law stood in for the
     # energetic sweep, see impact_sweep.h
     "mixed_impacts",  # of stepped contacts, by the law and by the half step, see velocity_stage.h
+    "deferred_frictions",  # pieces of half steps with friction at their end, see stepped.h
     "switched",  # changes of sides of laws in the last step, see switch_event.h
     "quiet_until",  # no switch of the time changes before, as far as looked at, see switches.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
@@ -471,8 +472,8 @@ MEASURED = {
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts
-    "contact_solver": "5 * unilateral",  # events of the last step, whether it was stepped, jams,
-    # impacts by Newton's law, mixed ones
+    "contact_solver": "6 * unilateral",  # events of the last step, whether it was stepped, jams,
+    # impacts by Newton's law, mixed ones, deferred frictions
 }
 """Groups of measurements, in the section `measured` of the numbers."""
 

@@ -145,6 +145,8 @@ WHOLE_OF_CONTACTS: dict[str, tuple[Offer, ...]] = {
         "the energetic law found no impulses",
         "mixed_impacts": "impacts of stepped contacts in the last communication step not by the "
         "law alone: friction would give back more than it took, or too much touches",
+        "deferred_frictions": "pieces of half steps of stepped contacts in the last communication "
+        "step whose friction acted at their end alone, since no choice agreed with the forces",
     }),
 }  # fmt: skip
 """Likewise where there are contacts, or friction of joints."""
