@@ -135,7 +135,7 @@ def archive_entries(
     entries |= documentation(model, seen, package)
     entries |= drawn(parts.scene, PICTURES[package.fmi])
     own_guid = guid(entries)
-    entries["resources/model.bin"] = model.to_bytes(own_guid)
+    entries["resources/model.bin"] = model.with_guid(own_guid)
     of_fmi2 = partial(model_description, native=package.native, sources=package.sources)
     describe = model_description_fmi3 if package.fmi == 3 else of_fmi2
     if package.sources:

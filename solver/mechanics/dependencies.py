@@ -123,7 +123,8 @@ class _Search:
         self._shaped, self._pushed = (self._sets(x, count) for x in acting)
         while (grown := self._grown()) != self._shaped:
             self._shaped = grown
-        self._shaped = [x.difference(_measured(x)) | AT_THE_START for x in self._shaped]
+        shaped = [x.difference(_measured(x)) | AT_THE_START for x in self._shaped]
+        self._shaped = shaped[:1] if len({*shaped}) == 1 else shaped  # no need to tell them apart
 
     def of_unknown(self, name: str) -> tuple[Sources, Sources]:
         """Return what acts on an output or a calculated parameter: inputs directly, first all."""
