@@ -69,7 +69,8 @@ class Canvas:
 
     def _ink(self, window: tuple[slice, ...], gap: Array, colour: Colour, opacity: float) -> None:
         """Colour what lies nearer than nothing to a shape."""
-        cover = np.rint(SHADES * np.minimum(np.maximum(0.5 - gap, 0.0), 1.0))[:, :, None] / SHADES * opacity
+        near = np.minimum(np.maximum(0.5 - gap, 0.0), 1.0)
+        cover = np.rint(SHADES * near)[:, :, None] / SHADES * opacity
         part = self._pixels[window]
         part += cover * (np.array(colour) - part)
 

@@ -65,16 +65,16 @@ def dependencies(
     """Return what all outputs and calculated parameters depend on, by the index of each."""
     search = _Search(scene, structure, known)
     place = {variable.name: index for index, variable in enumerate(variables)}
-    listed: dict[Sources, tuple[int, ...]] = {}
+    known_of: dict[tuple[Sources, Sources], KnownVariables] = {}
     found = {}
     for index, variable in enumerate(variables):
         if variable.causality not in ("output", "calculatedParameter"):
             continue
         both = search.of_unknown(variable.name)
-        for names in both:
-            if names not in listed:
-                listed[names] = tuple(sorted([place[name] for name in names]))
-        found[index] = KnownVariables(*[listed[names] for names in both])
+        if both not in known_of:
+            listed = (tuple(sorted([place[name] for name in names])) for names in both)
+            known_of[both] = KnownVariables(*listed)
+        found[index] = known_of[both]
     return found
 
 

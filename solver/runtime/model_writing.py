@@ -79,9 +79,7 @@ def _texts(model: Model) -> Iterator[str]:
 @cache
 def _codes(*kinds: str) -> list[int]:
     """Return the numbers for the words of a variable, in the order of `layout.WORDS`."""
-    return [
-        known.index(word) for word, known in zip(kinds, layout.WORDS.values(), strict=True)
-    ]
+    return [known.index(word) for word, known in zip(kinds, layout.WORDS.values(), strict=True)]
 
 
 def _record(variable: Variable, at: Mapping[str, int]) -> bytes:
@@ -160,10 +158,10 @@ def to_bytes(model: Model) -> bytes:
     ints = array("i", numbers)
     for table in model.tables.values():
         ints += table
-    texts = [*dict.fromkeys(_texts(model))]
-    contents = [text.encode() for text in texts]
-    ends = accumulate([len(content) + 1 for content in contents], initial=0)
-    at = dict(zip(texts, ends, strict=False))
+    at = dict.fromkeys(_texts(model), 0)
+    contents = [text.encode() for text in at]
+    begin = accumulate([len(content) + 1 for content in contents], initial=0)
+    at.update(zip([*at], begin, strict=False))
     said = model.sampled + model.switches
     names = struct.pack(f"<{len(said)}I", *[at[name] for name in said])
     text = _filled(b"\0".join([*contents, b""]))
