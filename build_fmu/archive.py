@@ -42,7 +42,7 @@ def _extended(content: bytes, entries: Iterable[tuple[str, bytes]]) -> bytes:
             entry.compress_type, entry.create_system = zipfile.ZIP_DEFLATED, _UNIX
             mode = _EXECUTABLE_FILE if name.startswith("binaries/") else _REGULAR_FILE
             entry.external_attr = mode << 16
-            target.writestr(entry, data, compresslevel=9)
+            target.writestr(entry, data)
     return file.getvalue()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sysconfig
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING
@@ -108,10 +109,10 @@ def documentation(
 
 def page(model: Model, seen: SelfCheck, needs: str = _NEEDS, fmi: int = 2) -> str:
     """HTML page with a table of variables per causality."""
-    tables = [
-        _table(title, [_row(v) for v in model.variables if _section(v) == section])
-        for section, title in _SECTIONS.items()
-    ]
+    rows = defaultdict[str, list[list[str]]](list)
+    for variable in model.variables:
+        rows[_section(variable)].append(_row(variable))
+    tables = [_table(title, rows[section]) for section, title in _SECTIONS.items()]
     start, stop, step, _ = model.experiment
     return _PAGE.format(
         name=escape(model.name),

@@ -69,13 +69,15 @@ def write_fmu(
     `local_variables` finds, where that is known.
     """
     from solver.mechanics.meshes import accuracy
+    from solver.scene.reader import collector_paused
 
     target = fmu_path(path, identifier(model.name))
     beside = target.with_suffix(".ssv")
     require_own_set(target)
     local = local_variables(model, parts.scene) if local is None else local
-    seen = self_check(model)
-    write_archive(target, archive_entries(parts, model, seen, package, local))
+    with collector_paused():
+        seen = self_check(model)
+        write_archive(target, archive_entries(parts, model, seen, package, local))
     values = parameter_set(model, date=generation_date(), tool=TOOL, local=local)
     write_whole(beside, values)
     failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
@@ -135,7 +137,7 @@ def archive_entries(
     entries |= documentation(model, seen, package)
     entries |= drawn(parts.scene, PICTURES[package.fmi])
     own_guid = guid(entries)
-    entries["resources/model.bin"] = model.to_bytes(own_guid)
+    entries["resources/model.bin"] = model.with_guid(own_guid)
     of_fmi2 = partial(model_description, native=package.native, sources=package.sources)
     describe = model_description_fmi3 if package.fmi == 3 else of_fmi2
     if package.sources:

@@ -7,11 +7,12 @@ every start value comes back as the same double.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from functools import cache
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement
 
 from build_fmu.source_package import UNIT
-from build_fmu.xml_parts import base_unit_attributes, declared_types, document, element, legible
+from build_fmu.xml_parts import base_unit_attributes, declared_types, document, element
 from fmu_src.status import LOG_CATEGORIES
 from solver.scene.units import base_unit
 
@@ -167,9 +168,9 @@ def vendor_annotations(model: Model, source: Source | None) -> list[tuple[str, E
     if source is None or not source.text:
         return found
     scene = element("Scene", format=source.notation)
-    SubElement(scene, "Text").text = legible(source.text)
+    SubElement(scene, "Text").text = source.text
     for text in source.overrides.values():
-        SubElement(scene, "Override").text = legible(text)
+        SubElement(scene, "Override").text = text
     return [("holonom", scene), *found]
 
 
@@ -225,10 +226,11 @@ def unknowns(
     Of a model that was read from bytes these are not known, which means all: None.
     """
     of_unknown: Mapping[int, Sequence[Sequence[int]]] = model.dependencies or {}
+
+    @cache
+    def listed(known: Sequence[int]) -> str:
+        return " ".join([str(k + 1) for k in known if ports[k].causality != "local"])
+
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
         for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
-            known = None
-            if i in of_unknown:
-                seen = (k for k in of_unknown[i][place] if ports[k].causality != "local")
-                known = " ".join(str(k + 1) for k in seen)
-            yield name, str(i + 1), known
+            yield name, str(i + 1), listed(of_unknown[i][place]) if i in of_unknown else None

@@ -90,7 +90,8 @@ def self_check(model: Model) -> SelfCheck:
     integrator = Integrator(model, log=said.append)
     rows, reason = _run(integrator, duration, steps, names)
     sizes = dict(zip(names, abs(rows).max(axis=0, initial=0.0).tolist(), strict=True))
-    motion = rows[:, [names.index(name) for name in poses.names]]
+    column = {name: k for k, name in enumerate(names)}
+    motion = rows[:, [column[name] for name in poses.names]]
     apart = None if reason else _apart(model, duration, steps, poses, motion)
     largest = largest_by_unit({v.name: v.unit for v in outputs}, sizes)
     said += filter(

@@ -1,4 +1,4 @@
-"""What XML of a model description and a parameter set shares: base units, types, legible text."""
+"""What XML of a model description and a parameter set shares: base units, types, documents."""
 
 from __future__ import annotations
 
@@ -40,11 +40,6 @@ QUANTITIES = {
 _ILLEGIBLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def legible(text: str) -> str:
-    """Text without the characters that XML does not have."""
-    return _ILLEGIBLE.sub("\N{REPLACEMENT CHARACTER}", text)
-
-
 def base_unit_attributes(base: BaseUnit) -> dict[str, str]:
     """Attributes of an XML element BaseUnit, of FMI and of SSP."""
     powers = {name: str(power) for name, power in base.powers.items()}
@@ -64,20 +59,23 @@ def declared_types(variables: Iterable[Variable]) -> dict[str, str]:
 
 
 def document(root: Element) -> bytes:
-    """Text of a document, indented."""
+    """Text of a document, indented, without the characters that XML does not have."""
     indent(root)
-    return tostring(root, "UTF-8", xml_declaration=True) + b"\n"
+    text = _ILLEGIBLE.sub("\N{REPLACEMENT CHARACTER}", tostring(root, "unicode"))
+    return f"<?xml version='1.0' encoding='UTF-8'?>\n{text}\n".encode()
 
 
 def element(tag: str, /, *children: Element, **attributes: object) -> Element:
     """Element with children, and with the attributes that are not None."""
-    given = {name: legible(_text(x)) for name, x in attributes.items() if x is not None}
+    given = {name: _text(x) for name, x in attributes.items() if x is not None}
     element = Element(tag, given)
     element.extend(children)
     return element
 
 
 def _text(value: object) -> str:
+    if isinstance(value, str):
+        return value
     if isinstance(value, bool):
         return "true" if value else "false"
-    return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]
+    return repr(float(value))  # type: ignore[arg-type]

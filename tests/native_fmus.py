@@ -36,7 +36,7 @@ def native_fmu(model: Model, fmi: int = 2, scope: str = "") -> Path:
     entries = chosen_package(True, fmi).entries(name, sizes)
     entries["resources/model.bin"] = model.file
     own = guid(entries)
-    entries["resources/model.bin"] = model.to_bytes(own)
+    entries["resources/model.bin"] = model.with_guid(own)
     of_fmi2 = functools.partial(model_description, native=True)
     describe = model_description_fmi3 if fmi == 3 else of_fmi2
     date = generation_date()

@@ -42,6 +42,12 @@ def parts(colours: NDArray[np.uint32]) -> NDArray[np.uint8]:
     return colours.astype(">u4").view(np.uint8).reshape(-1, 4)[:, 1:]
 
 
+def _middles(window: tuple[slice, ...]) -> tuple[Array, Array]:
+    """Middles of the pixels of a window: y (rows, 1) and x (1, columns)."""
+    rows, columns = (np.arange(span.start, span.stop) + 0.5 for span in window)
+    return rows[:, None], columns[None]
+
+
 class Canvas:
     """Pixels, x to the right and y downwards from the upper left corner."""
 
@@ -63,7 +69,8 @@ class Canvas:
 
     def _ink(self, window: tuple[slice, ...], gap: Array, colour: Colour, opacity: float) -> None:
         """Colour what lies nearer than nothing to a shape."""
-        cover = np.rint(SHADES * np.clip(0.5 - gap, 0.0, 1.0))[:, :, None] / SHADES * opacity
+        near = np.minimum(np.maximum(0.5 - gap, 0.0), 1.0)
+        cover = np.rint(SHADES * near)[:, :, None] / SHADES * opacity
         part = self._pixels[window]
         part += cover * (np.array(colour) - part)
 
@@ -73,8 +80,8 @@ class Canvas:
         """Fill a polygon, and draw lines around it."""
         window = self._window(pixels, 1.0)
         if window:
-            y, x = np.mgrid[window] + 0.5
-            inside, gap = np.zeros(x.shape, bool), np.full(x.shape, np.inf)
+            y, x = _middles(window)
+            inside, gap = np.zeros((len(y), x.size), bool), np.full((len(y), x.size), np.inf)
             for a, b in zip(pixels, (*pixels[1:], pixels[0]), strict=True):
                 ux, uy = b[0] - a[0], b[1] - a[1]
                 square = ux * ux + uy * uy
@@ -94,12 +101,13 @@ class Canvas:
         window = self._window((a, b), 0.5 * width)
         if not window:
             return
-        y, x = np.mgrid[window] + 0.5
+        y, x = _middles(window)
         ux, uy = b[0] - a[0], b[1] - a[1]
         square = ux * ux + uy * uy
-        along = np.zeros_like(x)
+        along = 0.0
         if square > 0.0:
-            along = np.clip(((x - a[0]) * ux + (y - a[1]) * uy) / square, 0.0, 1.0)
+            along = ((x - a[0]) * ux + (y - a[1]) * uy) / square
+            along = np.minimum(np.maximum(along, 0.0), 1.0)
         gap = np.hypot(x - a[0] - along * ux, y - a[1] - along * uy) - 0.5 * width
         self._ink(window, gap, colour, opacity)
 

@@ -117,8 +117,9 @@ class Solids:
         far = [x for k, x in enumerate(far) if all(np.linalg.norm(x - y) for y in far[:k])]
         if far:
             self.add(name, "body", name, place, "struts", to=far)
-        touches = any(x["frame"] == place["frame"] for x in self.solids.values())
-        if reach < 0.0 and not far and not touches and not looks:
+        if far or looks or reach >= 0.0:
+            return
+        if all(x["frame"] != place["frame"] for x in self.solids.values()):
             self._ellipsoid(name, body, place)
 
     def _covered(self, look: Any, centre: Array) -> float:

@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from build_fmu.study.values import Entry, Mistake, keep
-from build_fmu.xml_parts import base_unit_attributes, legible
+from build_fmu.xml_parts import base_unit_attributes, document
 from solver.files import read_whole
 from solver.scene.units import BaseUnit, base_unit
 
@@ -44,12 +44,11 @@ def parameter_set(model: Model, *, date: str, tool: str, local: Collection[int] 
     listed = SubElement(root, f"{{{VALUES}}}Parameters")
     for variable in parameters:
         attributes = {"name": variable.name, "description": variable.description}
-        given = {name: legible(text) for name, text in attributes.items() if text}
+        given = {name: text for name, text in attributes.items() if text}
         parameter = SubElement(listed, f"{{{VALUES}}}Parameter", given)
         SubElement(parameter, f"{{{VALUES}}}{variable.type}", _value(variable))
     _units(root, parameters)
-    ElementTree.indent(root)
-    return ElementTree.tostring(root, "UTF-8", xml_declaration=True) + b"\n"
+    return document(root)
 
 
 def _value(variable: Variable) -> dict[str, str]:

@@ -38,14 +38,16 @@ static size_t message_room(const hm_model_file *f)
     return MESSAGE_ROOM + ROOM_PER_ROW * (rows < MOST_ROWS ? rows : MOST_ROWS);
 }
 
-/* Lays an instance over `memory`, or only measures it; returns its bytes. */
+static size_t work_bytes(const holonom_model *m) { return up(sizeof(double) * (size_t)holonom_work_size(m)); }
+
+/* Lays an instance over `memory`, or only measures it; returns its bytes, of which the scratch is last. */
 static size_t lay_out(const hm_model_file *f, char *memory, holonom_instance *i)
 {
     const holonom_model *m = &f->model;
     const size_t state = (size_t)holonom_state_size(m), rows = (size_t)m->n_rows;
     size_t used = up(sizeof *i);
     struct { double **vector; size_t length; } part[] = {
-        {&i->numbers, (size_t)m->n_numbers}, {&i->state, state}, {&i->work, (size_t)holonom_work_size(m)},
+        {&i->numbers, (size_t)m->n_numbers}, {&i->state, state},
         {&i->before, state + (size_t)m->n_numbers}, {&i->inputs, (size_t)m->n_inputs}, {&i->parameters, (size_t)m->n_parameters},
         {&i->phi, rows}, {&i->rate, rows},
     };
@@ -59,7 +61,9 @@ static size_t lay_out(const hm_model_file *f, char *memory, holonom_instance *i)
         i->message = (hm_text){i->clipped + up(f->header->n_variables + 1), message_room(f), 0};
         i->remarks = (hm_text){i->message.begin + up(i->message.room), REMARK_ROOM, 0};
     }
-    return used + up(f->header->n_variables + 1) + up(message_room(f)) + REMARK_ROOM;
+    used += up(f->header->n_variables + 1) + up(message_room(f)) + REMARK_ROOM;
+    if (memory) i->work = (double *)(void *)(memory + used);
+    return used + work_bytes(m);
 }
 
 int64_t holonom_instance_size(const void *model, int64_t length, char *why, int64_t room)
@@ -82,7 +86,7 @@ holonom_instance *holonom_make(const void *model, void *memory, int32_t heard)
     holonom_instance *i = memory;
     hm_model_file file;
     if (!hm_view(model, &file)) return NULL;
-    memset(i, 0, lay_out(&file, NULL, i));
+    memset(i, 0, lay_out(&file, NULL, i) - work_bytes(&file.model)); /* most of a large one is scratch that few steps need */
     i->file = file;
     lay_out(&file, memory, i);
     hm_map_state(&i->file.model, i->state, &i->s);

@@ -52,6 +52,7 @@ def assemble(scene: Scene) -> Model:
     return assemble_parts(scene)[1]
 
 
+@collector_paused()
 def assemble_parts(scene: Scene) -> tuple[Parts, Model]:
     """Return the parts of a scene and its model; raises as `assemble`."""
     try:
@@ -87,7 +88,6 @@ def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:
     scene.fail(problems)
 
 
-@collector_paused()
 def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     """Return the parts of a scene and its model, whose numbers are not yet checked."""
     parts = build_mechanism(scene)

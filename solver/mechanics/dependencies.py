@@ -65,16 +65,16 @@ def dependencies(
     """Return what all outputs and calculated parameters depend on, by the index of each."""
     search = _Search(scene, structure, known)
     place = {variable.name: index for index, variable in enumerate(variables)}
-    listed: dict[Sources, tuple[int, ...]] = {}
+    known_of: dict[tuple[Sources, Sources], KnownVariables] = {}
     found = {}
     for index, variable in enumerate(variables):
         if variable.causality not in ("output", "calculatedParameter"):
             continue
         both = search.of_unknown(variable.name)
-        for names in both:
-            if names not in listed:
-                listed[names] = tuple(sorted([place[name] for name in names]))
-        found[index] = KnownVariables(*[listed[names] for names in both])
+        if both not in known_of:
+            listed = (tuple(sorted([place[name] for name in names])) for names in both)
+            known_of[both] = KnownVariables(*listed)
+        found[index] = known_of[both]
     return found
 
 
@@ -123,7 +123,8 @@ class _Search:
         self._shaped, self._pushed = (self._sets(x, count) for x in acting)
         while (grown := self._grown()) != self._shaped:
             self._shaped = grown
-        self._shaped = [x.difference(_measured(x)) | AT_THE_START for x in self._shaped]
+        shaped = [x.difference(_measured(x)) | AT_THE_START for x in self._shaped]
+        self._shaped = shaped[:1] if len({*shaped}) == 1 else shaped  # no need to tell them apart
 
     def of_unknown(self, name: str) -> tuple[Sources, Sources]:
         """Return what acts on an output or a calculated parameter: inputs directly, first all."""

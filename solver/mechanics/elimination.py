@@ -70,10 +70,12 @@ class Pattern:
     @property
     def n_operations(self) -> float:
         """Instructions of one factorisation and two solutions, see `_operations`."""
-        groups = zip(self._size.tolist(), self.later.tolist(), self.parents.tolist(), strict=True)
+        groups = Counter(
+            zip(self._size.tolist(), self.later.tolist(), self.parents == NO_JOINT, strict=True)
+        )
         return sum(
-            _operations(p, m) if parent == NO_JOINT else _joint_operations(m)
-            for p, m, parent in groups
+            count * (_operations(p, m) if alone else _joint_operations(m))
+            for (p, m, alone), count in groups.items()
         )
 
     @property
@@ -411,7 +413,7 @@ def eliminate(graph: Graph, most: int | None = None) -> Pattern:
             first = int(position[body.blocks[0]])
             parents[first] = GROUND if body.parent is None else int(position[body.parent])
             with_joints[first] = int(sizes[[*body.blocks]].sum())
-    groups = _groups(columns, most or 1, with_joints)
+    groups = _groups(columns, most, with_joints) if most else range(len(columns) + 1)
     return Pattern(
         position=position,
         counts=np.array([len(places) for places in columns], dtype=np.int64),
@@ -500,7 +502,9 @@ def _coupled(graph: Graph, position: Integers, sizes: Integers) -> list[list[int
             x, y = position[a] + i, position[b] + k
             kept = (i < sizes[a]) & (k < sizes[b]) & (x != y)
             elements.append((n * np.minimum(x, y) + np.maximum(x, y))[kept])
-    first, second = np.divmod(np.unique(np.concatenate(elements)), n)
+    found = np.sort(np.concatenate(elements))
+    found = found[np.append(True, found[1:] != found[:-1])[: len(found)]]
+    first, second = np.divmod(found, n)
     begin = np.searchsorted(first, np.arange(n + 1)).tolist()
     later = second.tolist()
     return [later[begin[k] : begin[k + 1]] for k in range(n)]

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Iterable, Sequence
-from functools import cached_property
 from itertools import accumulate, chain, pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -138,15 +138,17 @@ class TangentPattern:
         self.sizes = [width for width, part in self.kinds for _ in range(len(part))]
         """Entries of each item in a piece."""
         self.ends = [*accumulate(len(part) for _, part in self.kinds)]
-        self.turning = [reduced and structure.node_kinds[n] > 0 for n in nodes]
-        """Whether a node is a director that turns with its body."""
-        self.block = {item: item for item in range(self.ends[-1])}
-        """Of an item: the one whose places in the order it has. Rows that hold anyway have none."""
+        self.turning = [False] * self.ends[-1]
+        """Whether an item is a director that turns with its body."""
+        self.block = [*range(self.ends[-1])]
+        """Of an item: the one whose places in the order it has. Rows that hold anyway have -1."""
         if reduced:
-            self.block |= {n: structure.unknown(n) for n in nodes}
-            for row in range(self.ends[1], self.ends[2]):
-                del self.block[row]
-            self.sizes[: len(nodes)] = [2 * dim - 3 if turns else dim for turns in self.turning]
+            self.turning[: len(nodes)] = [structure.node_kinds[n] > 0 for n in nodes]
+            self.block[: len(nodes)] = map(structure.unknown, nodes)
+            self.block[self.ends[1] : self.ends[2]] = [-1] * (self.ends[2] - self.ends[1])
+            self.sizes[: len(nodes)] = [
+                2 * dim - 3 if turns else dim for turns in self.turning[: len(nodes)]
+            ]
         self.contributions = self._contributions(reduced=reduced)
         loose = self._loose()
         asleep: frozenset[int] = frozenset()
@@ -161,8 +163,10 @@ class TangentPattern:
         few = bool(asleep) or len(structure.mechanism.contacts) <= FEW_CONTACTS
         self.grouped = reduced and few
         """Whether pivots make groups: of many contacts few are closed, and most entries zero."""
-        blocks = sorted({*self.block.values()})
-        self._number = {block: k for k, block in enumerate(blocks)}
+        blocks = sorted({*self.block} - {-1})
+        number = {block: k for k, block in enumerate(blocks)}
+        self.of = [number.get(block, -1) for block in self.block]
+        """Number of an item's block in the graph, or -1."""
         islands = self._islands(asleep)
         self.islands = [islands[block] for block in blocks]
         self.block_sizes = [self.sizes[block] for block in blocks]
@@ -170,19 +174,15 @@ class TangentPattern:
             Graph(
                 self.block_sizes, sum(block < len(nodes) for block in blocks), self._couplings(),
                 {
-                    self._of(row): [*dict.fromkeys(map(self._of, carrying))]
-                    for row, carrying in enumerate(anchors, len(nodes))
-                    if row in self.block
+                    of: [*dict.fromkeys([self.of[n] for n in carrying])]
+                    for of, carrying in zip(self.of[len(nodes) :], anchors, strict=True)
+                    if of >= 0
                 },
-                self.islands, frozenset(map(self._of, loose)),
+                self.islands, frozenset([self.of[row] for row in loose]),
                 self._tree_bodies(trees) if self.grouped else (),
             ),
             MOST_IN_GROUP if self.grouped else None,
         )  # fmt: skip
-
-    def _of(self, item: int) -> int:
-        """Number of an item's block in the graph."""
-        return self._number[self.block[item]]
 
     def directors(self, first: int | None) -> list[int]:
         """Return the directors of a body, given the first one's node."""
@@ -234,7 +234,7 @@ class TangentPattern:
         free, kind = self._unknown(self.structure.free(form)), self.structure.kinds[form]
         if self.lean or kind & FORM_LINEAR:
             return _border(free, row)
-        between_axes = kind & FORM_AXES and self._turns(free[0])
+        between_axes = kind & FORM_AXES and self.turning[free[0]]
         if between_axes:  # what each body does to itself goes to its inertia
             pairs = (free, free[::-1])
             return [*(((a,), (b,), BLOCKS) for a, b in pairs), *_border(free, row)]
@@ -303,29 +303,32 @@ class TangentPattern:
             if joint is not None:
                 blocks.append(first[2] + joint.coincidence)
                 blocks += [first[0] + row for row in joint.directions]
-            parent = None if body.parent is None else self._of(body.parent)
-            found.append(TreeBody(tuple(map(self._of, blocks)), parent))
+            parent = None if body.parent is None else self.of[body.parent]
+            found.append(TreeBody(tuple([self.of[item] for item in blocks]), parent))
         return found
 
     def _couplings(self) -> dict[tuple[int, int], bool]:
         """Of coupled blocks: False where equal components are coupled, True where all are."""
-        pieces = chain.from_iterable(chain.from_iterable(self.contributions.values()))
         followers = map(self._follower, () if self.lean else self.structure.loads.items)
         whole = [[*x[0], *x[1]] for x in followers if x]
-        couplings: dict[tuple[int, int], bool] = {}
         cones = chain.from_iterable(self.contributions["cone"])
-        others = chain(((x, x, BLOCKS) for x in whole), ((b, a, how) for a, b, how in cones))
-        for firsts, seconds, how in chain(pieces, others):
-            for x in firsts:
-                for y in seconds:
-                    a, b = self._of(x), self._of(y)
-                    if a <= b:
-                        full = how != EQUAL or self._turns(x) or self._turns(y)
-                        couplings[a, b] = couplings.get((a, b), False) or full
-        return couplings
+        pairs = _pairs([
+            *chain.from_iterable(chain.from_iterable(self.contributions.values())),
+            *((x, x, BLOCKS) for x in whole),
+            *((b, a, how) for a, b, how in cones),
+        ])  # fmt: skip
+        of, n = np.array(self.of, dtype=np.int64), len(self.block_sizes)
+        x, y = of[pairs.a], of[pairs.b]
+        keys = 2 * (n * x + y) + ((pairs.how != EQUAL) | self._turns(pairs))
+        keys = np.sort(keys[x <= y])
+        keys = keys[np.append(keys[1:] // 2 != keys[:-1] // 2, True)[: len(keys)]]
+        x, y = np.divmod(keys // 2, n)
+        return dict(zip(zip(x.tolist(), y.tolist(), strict=True), keys % 2 == 1, strict=True))
 
-    def _turns(self, item: int) -> bool:
-        return item < len(self.turning) and self.turning[item]
+    def _turns(self, pairs: Pairs) -> NDArray[np.bool_]:
+        """Whether one of the items of each pair is a director that turns with its body."""
+        turning = np.array(self.turning, dtype=bool)
+        return turning[pairs.a] | turning[pairs.b]
 
     def _islands(self, last: frozenset[int]) -> list[int]:
         """Islands of the items; some come last, behind those of all islands."""
@@ -340,43 +343,35 @@ class TangentPattern:
 
     # ------------------------------------------------------------------------------- the slots
 
-    @cached_property
-    def _places(self) -> list[range]:
-        """Places of the components of each item in the elimination order, or none."""
-        position = self.pattern.position.tolist()
-        first = [position[self._of(k)] if k in self.block else None for k in range(len(self.sizes))]
-        return [
-            range(0) if at is None else range(at, at + size)
-            for at, size in zip(first, self.sizes, strict=True)
-        ]
-
     def tables(self) -> dict[str, array]:
         """Return the tables of the elimination."""
-        pattern, places, n_nodes = self.pattern, self._places, self.ends[0]
-        own = [place[0] if self.block[n] == n else -1 for n, place in enumerate(places[:n_nodes])]
-        rows = [[*place] or [-1] for place in places[n_nodes:]]
+        pattern, n_nodes, dim = self.pattern, self.ends[0], self.structure.mechanism.dim
+        first, sizes = np.append(pattern.position, -1)[self.of], np.array(self.sizes, int)
+        own = np.where(np.array(self.block[:n_nodes]) == np.arange(n_nodes), first[:n_nodes], -1)
+        item, k = _counted(np.where(first < 0, 1, sizes)[n_nodes:])
         tables = {
-            "node_position": array("i", own),
-            "row_position": flat(rows),
+            "node_position": _table(own),
+            "row_position": _table(first[n_nodes:][item] + k),
             "lu_ptr": _table(pattern.ptr),
             "lu_group": _table(self._groups() if self.grouped else pattern.groups[:0]),
             "lu_column": _table(pattern.columns),
             "lu_target": _table(pattern.target),
             "lu_island": self._pieces_of_islands(),
         }
-        listed = {
-            name: [[x for piece in pieces for x in self._elements(*piece)] for pieces in each]
-            for name, each in self.contributions.items()
-        }
-        elements = np.array([x for each in listed.values() for items in each for x in items], int)
-        slots = pattern.slots(*np.divmod(elements, len(pattern.counts)))
-        ends = np.cumsum([sum(map(len, each)) for each in listed.values()])
-        for (name, each), part in zip(listed.items(), np.split(slots, ends[:-1]), strict=True):
-            tables[f"{name}_slot_ptr"], tables[f"{name}_slot"] = pointers(each), _table(part)
-        dim = self.structure.mechanism.dim
-        free = iter(tables["mass_slot"].tolist())
-        masses = [[next(free) for _ in x] or [-1] * dim for x in listed["mass"]]
-        tables["mass_slot"] = flat(masses)
+        pieces = [*chain.from_iterable(chain.from_iterable(self.contributions.values()))]
+        piece, i, j = self._elements(pieces, first, sizes)
+        slots, begin = pattern.slots(i, j), np.searchsorted(piece, np.arange(len(pieces) + 1))
+        end = 0
+        for name, each in self.contributions.items():
+            ptr = begin[end + np.array(pointers(each))]
+            end += sum(map(len, each))
+            tables[f"{name}_slot_ptr"] = _table(ptr - ptr[0])
+            tables[f"{name}_slot"] = _table(slots[ptr[0] : ptr[-1]])
+        masses = np.full((len(self.contributions["mass"]), dim), -1)
+        masses[[bool(x) for x in self.contributions["mass"]]] = np.reshape(
+            tables["mass_slot"], (-1, dim)
+        )
+        tables["mass_slot"] = _table(masses.ravel())
         named = {f"{self.kind}{x}": table for x, table in tables.items()}
         return {name: table for name, table in named.items() if name in TABLES}
 
@@ -395,21 +390,54 @@ class TangentPattern:
         targets, columns = (np.append(0, np.cumsum(x)) for x in (pattern.later**2, pattern.later))
         return _table(np.column_stack([pivots, groups, targets[groups], columns[groups]]).ravel())
 
-    def _elements(self, firsts: Nodes, seconds: Nodes, how: int) -> list[int]:
-        """Elements (i, j) of a piece as n i + j."""
-        n = len(self.pattern.counts)
-        if how == ROWS:
-            rows, columns = ([self._places[x] for x in items] for items in (firsts, seconds))
-            return [n * i + j for a in rows for i in a for b in columns for j in b]
-        found: list[int] = []
-        for x in firsts:
-            for y in seconds:
-                a, b = self._places[x], self._places[y]
-                if how == EQUAL and not (self._turns(x) or self._turns(y)):
-                    found += [n * i + j for i, j in zip(a, b, strict=True)]
-                else:
-                    found += [n * i + j for i in a for j in b]
-        return found
+    def _elements(
+        self, pieces: Sequence[Piece], first: Integers, sizes: Integers
+    ) -> tuple[Integers, Integers, Integers]:
+        """Return the elements (i, j) of pieces, each with the number of its piece.
+
+        `first` is the first place of each item in the order, `sizes` how many follow.
+        """
+        pairs = _pairs(pieces)
+        equal = (pairs.how == EQUAL) & ~self._turns(pairs)
+        width = np.where(equal, 1, sizes[pairs.b])
+        pair, k = _counted(sizes[pairs.a] * width)
+        row, column = np.divmod(k, width[pair])
+        column = np.where(equal[pair], row, column)
+        piece, i, j = pairs.piece[pair], first[pairs.a][pair] + row, first[pairs.b][pair] + column
+        by_rows = np.flatnonzero((pairs.how == ROWS)[pair])
+        order = by_rows[np.lexsort((row[by_rows], pairs.row[pair][by_rows], piece[by_rows]))]
+        i[by_rows], j[by_rows] = i[order], j[order]
+        return piece, i, j
+
+
+class Pairs(NamedTuple):
+    """Pairs of items of pieces, block by block."""
+
+    piece: Integers
+    """Number of the piece."""
+    a: Integers
+    b: Integers
+    row: Integers
+    """Place of the first item among those of the piece."""
+    how: Integers
+
+
+def _pairs(pieces: Sequence[Piece]) -> Pairs:
+    firsts, seconds, how = zip(*pieces, strict=True) if pieces else ((), (), ())
+    begin, of_b = pointers(firsts), np.array(pointers(seconds), dtype=np.int64)
+    width = np.diff(of_b)
+    piece, k = _counted(np.diff(begin) * width)
+    row, column = np.divmod(k, width[piece])
+    a = np.array(flat(firsts))[np.array(begin)[piece] + row]
+    return Pairs(
+        piece, a, np.array(flat(seconds))[of_b[piece] + column], row, np.array(how, int)[piece]
+    )
+
+
+def _counted(counts: Integers) -> tuple[Integers, Integers]:
+    """Return the numbers of some lists, each as often as it has items, and the items' places."""
+    of = np.repeat(np.arange(len(counts)), counts)
+    return of, np.arange(len(of)) - (np.cumsum(counts) - counts)[of]
 
 
 def _border(nodes: Nodes, row: int) -> list[Piece]:

@@ -10,7 +10,7 @@ from array import array
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import accumulate
+from itertools import accumulate, chain
 from typing import NamedTuple
 
 from solver.mechanics.islands import Islands, Ordered
@@ -460,7 +460,7 @@ def _sum_of(friction: Friction, kind: str, k: int) -> int:
 
 def flat(lists: Iterable[Iterable[int]]) -> array:
     """Return all integers of the lists, one after the other."""
-    return array("i", (int(x) for items in lists for x in items))
+    return array("i", chain.from_iterable(lists))
 
 
 def listed(name: str, lists: Sequence[Sequence[int]]) -> dict[str, array]:
@@ -470,7 +470,4 @@ def listed(name: str, lists: Sequence[Sequence[int]]) -> dict[str, array]:
 
 def pointers(lists: Iterable[Sequence[object]]) -> array:
     """Return where each list begins among all of them, and the end."""
-    ptr = array("i", [0])
-    for items in lists:
-        ptr.append(ptr[-1] + len(items))
-    return ptr
+    return array("i", accumulate(map(len, lists), initial=0))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import math
 from collections.abc import Callable, Iterator, Sequence
+from mmap import mmap
 
 from .errors import AssemblyError, OptionError, Status, StepError, is_double, shown, tell
 from .kernel import LOOK, shared_library
@@ -102,7 +103,8 @@ class Integrator:
         library = library or shared_library(model.sizes["dim"])
         self._library = library
         self._file, size = model.checked_file(library)
-        self._memory = (ctypes.c_double * (size // 8 + 2))()
+        # Its pages become memory where they are used: most of a large one is scratch.
+        self._memory = (ctypes.c_double * (size // 8 + 2)).from_buffer(mmap(-1, size + 24))
         address = ctypes.addressof(self._memory)
         address += -address % 16
         self._instance = library.holonom_make(

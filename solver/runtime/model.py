@@ -165,14 +165,17 @@ class Model(
             raise UnknownNameError(name, self._places)
         return self._places[name]
 
-    def to_bytes(self, guid: str = "") -> bytes:
-        """Return the model as bytes (``model_writing``); the same model gives the same ones.
-
-        `guid` is that of the FMU which carries it.
-        """
+    def to_bytes(self) -> bytes:
+        """Return the model as bytes (``model_writing``); the same model gives the same ones."""
         from .model_writing import to_bytes  # which imports this module
 
-        return to_bytes(self, guid)
+        return to_bytes(self)
+
+    def with_guid(self, guid: str) -> bytes:
+        """Return the bytes of the model in the FMU of a GUID."""
+        from .model_writing import with_guid
+
+        return with_guid(self.file, guid)
 
     @staticmethod
     def from_bytes(data: bytes) -> Model:

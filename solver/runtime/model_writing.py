@@ -8,7 +8,9 @@ import struct
 import sys
 import zlib
 from array import array
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from itertools import accumulate
 
 from solver.options import OPTIONS, Option
 
@@ -16,27 +18,6 @@ from . import layout
 from .errors import OptionError
 from .model import Model, Rule, Variable
 from .model_file import BEFORE_CHECKED, HEADER, MAGIC, ROW, RULE, VARIABLE
-
-
-class _Texts:
-    """Texts one behind the other, each once, each with a zero at its end."""
-
-    def __init__(self) -> None:
-        self.data, self._at = bytearray(1), {b"": 0}
-
-    def at(self, text: str) -> int:
-        """Return where a text begins."""
-        return self._place(text.encode())
-
-    def words(self, words: Iterable[str]) -> int:
-        """Return where some words begin; an empty one ends them."""
-        return self._place(b"".join(word.encode() + b"\0" for word in words))
-
-    def _place(self, content: bytes) -> int:
-        if content not in self._at:
-            self._at[content] = len(self.data)
-            self.data += content + b"\0"
-        return self._at[content]
 
 
 def rules_of_laws(model: Model) -> set[Rule]:
@@ -68,38 +49,71 @@ def stored(option: Option, value: object) -> float:
     return float(option.words.index(value) if option.words else value)  # type: ignore[arg-type]
 
 
-def _record(variable: Variable, texts: _Texts) -> bytes:
-    place, start, words, least = variable.place, variable.start, 0, 0.0
-    flags = {"has_minimum": variable.minimum is not None, "clips": variable.clips}
-    flags |= {"has_maximum": variable.maximum is not None, "has_start": start is not None}
-    if variable.kind == "option":
-        option = OPTIONS[variable.name.removeprefix("solver.")]
-        start, least = stored(option, start), option.least
+def _option(variable: Variable) -> Option:
+    return OPTIONS[variable.name.removeprefix("solver.")]
+
+
+def _words(option: Option) -> str:
+    """Return what an option must be, one word behind the other; an empty one ends them."""
+    return "".join(f"{word}\0" for word in option.words or (option.rule,))
+
+
+def _texts(model: Model) -> Iterator[str]:
+    """Yield the texts of a model in their order."""
+    yield ""
+    for variable in model.variables:
+        if variable.kind == "option":
+            yield _words(_option(variable))
+        yield variable.name
+        yield variable.unit
+    for rule in model.rules:
+        yield rule.name
+        yield rule.message
+    for row in model.rows:
+        yield row.name
+        yield row.detail
+    yield from model.sampled
+    yield from model.switches
+
+
+@cache
+def _codes(*kinds: str) -> list[int]:
+    """Return the numbers for the words of a variable, in the order of `layout.WORDS`."""
+    return [known.index(word) for word, known in zip(kinds, layout.WORDS.values(), strict=True)]
+
+
+def _record(variable: Variable, at: Mapping[str, int]) -> bytes:
+    name, value, causality, variability, unit, _, start, low, high, kind, place, clips = variable
+    flags = (
+        layout.FLAGS["has_start"] * (start is not None)
+        | layout.FLAGS["has_minimum"] * (low is not None)
+        | layout.FLAGS["has_maximum"] * (high is not None)
+        | layout.FLAGS["clips"] * clips
+    )
+    least, words = 0.0, 0
+    if kind == "option":
+        option = _option(variable)
+        start, least, words = stored(option, start), option.least, at[_words(option)]
         place = layout.PLACE[option.stored_as]
-        words = texts.words(option.words or (option.rule,))
-        flags |= {"whole": option.whole, "even": bool(option.allowed)}
-    codes = [known.index(getattr(variable, field)) for field, known in layout.WORDS.items()]
-    numbers = (start, variable.minimum, variable.maximum, least)
+        flags |= layout.FLAGS["whole"] * option.whole | layout.FLAGS["even"] * bool(option.allowed)
     return VARIABLE.pack(
-        texts.at(variable.name), texts.at(variable.unit), *codes, place,
-        *(float(number or 0.0) for number in numbers),
-        sum(layout.FLAGS[flag] for flag in flags if flags[flag]), words,
+        at[name], at[unit], *_codes(value, causality, variability, kind), place,
+        start or 0.0, low or 0.0, high or 0.0, least, flags, words,
     )  # fmt: skip
 
 
-def _records(model: Model, texts: _Texts) -> Iterator[bytes]:
-    """Yield the records of variables, rules and rows."""
+def _records(model: Model, at: Mapping[str, int]) -> Iterator[bytes]:
+    """Yield the records of variables, rules and rows, with the places of their texts."""
+    relations = {relation: code for code, relation in enumerate(layout.RELATIONS)}
     laws = rules_of_laws(model)
     for variable in model.variables:
-        yield _record(variable, texts)
+        yield _record(variable, at)
     for rule in model.rules:
-        relation = [*layout.RELATIONS].index(rule.relation)
-        relation |= layout.OF_A_LAW if rule in laws else 0
-        places = texts.at(rule.name), texts.at(rule.message)
-        yield RULE.pack(rule.number, relation, rule.bound, *places)
+        relation = relations[rule.relation] | (layout.OF_A_LAW if rule in laws else 0)
+        yield RULE.pack(rule.number, relation, rule.bound, at[rule.name], at[rule.message])
     for row in model.rows:
         kind = layout.ROW_KINDS.index(row.kind)
-        yield ROW.pack(texts.at(row.name), texts.at(row.detail), kind, 0)
+        yield ROW.pack(at[row.name], at[row.detail], kind, 0)
 
 
 def _rest(model: Model) -> dict[str, object]:
@@ -135,26 +149,25 @@ def _filled(data: bytes | bytearray, by: bytes = b"\0") -> bytes:
     return bytes(data) + by * (-len(data) % 8)
 
 
-def to_bytes(model: Model, guid: str = "") -> bytes:
-    """Return the bytes of a model; the same model gives the same ones.
-
-    `guid` is that of the FMU which carries it; the fingerprint does not depend on it.
-    """
+def to_bytes(model: Model) -> bytes:
+    """Return the bytes of a model; the same model gives the same ones."""
     assert tuple(model.sizes) == layout.SIZES
     assert tuple(model.tables) == tuple(layout.TABLES)
     assert tuple(model.offsets) == tuple(layout.OFFSETS)
-    texts = _Texts()
     numbers = [*model.sizes.values(), *model.offsets.values(), *map(len, model.tables.values())]
     ints = array("i", numbers)
     for table in model.tables.values():
         ints += table
-    records = b"".join(_records(model, texts))
+    at = dict.fromkeys(_texts(model), 0)
+    contents = [text.encode() for text in at]
+    begin = accumulate([len(content) + 1 for content in contents], initial=0)
+    at.update(zip([*at], begin, strict=False))
     said = model.sampled + model.switches
-    names = struct.pack(f"<{len(said)}I", *map(texts.at, said))
-    text = _filled(texts.data)
+    names = struct.pack(f"<{len(said)}I", *[at[name] for name in said])
+    text = _filled(b"\0".join([*contents, b""]))
     body = b"".join([
         _filled(_little_endian(ints)), _little_endian(_settings(model)),
-        _little_endian(model.numbers), records, _filled(names), text,
+        _little_endian(model.numbers), *_records(model, at), _filled(names), text,
         _filled(json.dumps(_rest(model), separators=(",", ":")).encode(), b" "),
     ])  # fmt: skip
     counts = (
@@ -162,8 +175,23 @@ def to_bytes(model: Model, guid: str = "") -> bytes:
         len(model.rows), len(said), len(text),
     )  # fmt: skip
     # A saved state, too, has the layout of its version.
-    fingerprint = hashlib.sha256(struct.pack("<I", layout.ABI) + body).hexdigest()[:32].encode()
-    length = HEADER.size + len(body)
-    data = HEADER.pack(MAGIC, 0, *counts, guid.encode(), fingerprint, length) + body
-    checksum = zlib.crc32(data[BEFORE_CHECKED:]).to_bytes(4, "little")
-    return MAGIC + checksum + data[BEFORE_CHECKED:]
+    fingerprint = hashlib.sha256(struct.pack("<I", layout.ABI))
+    fingerprint.update(body)
+    return _checked(counts, b"", fingerprint.hexdigest()[:32].encode(), body)
+
+
+def with_guid(data: bytes, guid: str) -> bytes:
+    """Return the bytes of a model with the GUID of the FMU that carries it.
+
+    The fingerprint does not depend on it.
+    """
+    _, _, *counts, _, fingerprint, _ = HEADER.unpack_from(data)
+    return _checked(counts, guid.encode(), fingerprint, data[HEADER.size :])
+
+
+def _checked(counts: Sequence[int], guid: bytes, fingerprint: bytes, body: bytes) -> bytes:
+    """Return the header with its checksum, and what follows."""
+    known = MAGIC, 0, *counts, guid, fingerprint, HEADER.size + len(body)
+    header = HEADER.pack(*known)[BEFORE_CHECKED:]
+    checksum = zlib.crc32(body, zlib.crc32(header))
+    return b"".join([MAGIC, checksum.to_bytes(4, "little"), header, body])
