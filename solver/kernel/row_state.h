@@ -59,6 +59,16 @@ static inline enum row_state state_of_multiplier(const context *c, int32_t i)
     return j < 0 ? ROW_IS_ON : state_of_row(c, j);
 }
 
+/* Whether all contacts and frictions are off. */
+static int are_all_off(const context *c)
+{
+    for (int32_t i = 0; i < n_contacts(c->m); i++)
+        if (is_closed(c, i)) return 0;
+    for (int32_t f = 0; f < n_frictions(c->m); f++)
+        if (friction_mode(c, f) != FRICTION_OFF) return 0;
+    return 1;
+}
+
 /* Takes rows that are off out of the pieces at hand, until take_all_rows: a step has no multipliers and residuals of theirs. */
 static void leave_rows_out(context *c)
 {
