@@ -135,6 +135,9 @@ static context rows_at_state(const context *c)
     rows.lu = &c->m->full;
     rows.h = AT_STATE;
     rows.constraints_only = rows.at_state = 1;
+    for (int k = 0; k < NEAR_LISTS; k++) rows.near[k] = NULL;
+    rows.row = c->all_row, rows.composite = c->all_composite;
+    rows.rows = c->all_rows, rows.composites = c->all_composites;
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = 1.0 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
     return rows;

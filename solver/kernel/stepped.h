@@ -83,6 +83,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     const double rest = step - done, longest = fmin(hm_step_size(head), head[S_LONGEST_STEP]);
     const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
+    wake_all(c);
     head[S_STEPPED] = 1.0;
     head[S_ORDER_IN_USE] = 2.0;
     c->stepping = 1;
@@ -121,6 +122,7 @@ HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double
    first multipliers agree with, if any do.                                                                      */
 HM_SELDOM static int32_t begin_contacts(context *c)
 {
+    wake_all(c);
     if (!is_stepped(c)) return settle(c);
     const int32_t status = settle_modes(c);
     c->s.head[S_UNSETTLED] = 0.0;
