@@ -42,7 +42,7 @@ static int32_t guess_choice(context *c, int parity)
     const double half = 0.5 * c->h * c->h, none = PENETRATION * c->number[m->extent_at];
     double *way = c->k.ahead, *const first = c->k.sweep, *end = first; /* of each near contact: gap, N, W, its index, gradient */
     memset(way, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t i = 0; i < m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const int32_t j = m->contact_row[i], *node = m->composite_node + m->composite_node_ptr[j];
         const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         if (touch_of(c, i)->is_near == 0.0) continue;
@@ -85,7 +85,7 @@ static int open_contradicting(context *c)
 {
     double least = INFINITY;
     int32_t first = -1;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const double before = fmax(touch_of(c, i)->normal, 0.0), change = is_closed(c, i) ? before - normal_in_step(c, i) : 0.0;
         if (change > before && before / change < least) least = before / change, first = i;
     }
@@ -99,20 +99,21 @@ static int open_contradicting(context *c)
 static int contradicts(const context *c, int guessed)
 {
     double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_contacts && guessed; i++) largest = fmax(largest, touch_of(c, i)->normal);
+    if (!guessed) return 0;
+    EACH_CONTACT(c, i) largest = fmax(largest, touch_of(c, i)->normal);
     return largest > 0.0 && largest_normal(c, c->k.mu) > BEYOND * largest;
 }
 
 static int n_near(const context *c)
 {
     int n = 0;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) n += touch_of(c, i)->is_near != 0.0;
+    EACH_CONTACT(c, i) n += touch_of(c, i)->is_near != 0.0;
     return n;
 }
 
 static void keep_normals(const context *c)
 {
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
+    EACH_CONTACT(c, i)
         touch_of(c, i)->normal = is_closed(c, i) ? normal_in_step(c, i) : 0.0;
 }
 
@@ -140,7 +141,7 @@ static int32_t solve_choices(context *c, int parity, int at_once)
         if (x.count < fewest) fewest = x.count, patience = PATIENCE;
         else if (patience > 0) patience--;
         if (are_many && solved && !guesses) { /* closed contacts contradict each other: from none on */
-            for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
+            EACH_CONTACT(c, i) open_contact(c, i);
             continue;
         }
         if (are_many && (solved || contradicts(c, guesses)) && open_contradicting(c)) continue;
@@ -177,7 +178,7 @@ static int32_t solve_contacts(context *c, int parity)
         if (!may_choose_anew(status) || !m->n_frictions) return status;
         take_modes_back(c);
     }
-    for (int32_t f = 0; f < m->n_frictions; f++)
+    EACH_FRICTION(c, f)
         c->k.lag[f] = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, last), 0.0);
     c->lagged = 1;
     for (int lag = 0; lag < MOST_LAGS; lag++) {
@@ -185,7 +186,7 @@ static int32_t solve_contacts(context *c, int parity)
         take_modes_back(c);
         begin_choice(c, c->h);
         if ((status = solve_choices(c, parity, 1))) break;
-        for (int32_t f = 0; f < m->n_frictions; f++) {
+        EACH_FRICTION(c, f) {
             const double normal = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, c->k.mu), 0.0);
             change = fmax(change, fabs(normal - c->k.lag[f]));
             largest = fmax(largest, normal);

@@ -355,7 +355,7 @@ HM_SELDOM static int close_worst(context *c)
 HM_SELDOM static double largest_normal(const context *c, const double *mu)
 {
     double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
+    EACH_CONTACT(c, i)
         if (is_closed(c, i)) largest = fmax(largest, fabs(mu[row_of(c, c->m->contact_row[i])]));
     return largest;
 }

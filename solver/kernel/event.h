@@ -279,7 +279,7 @@ enum { AT_LOW, AT_HIGH, AT_TRIAL };
 static int32_t take_functions(context *c, int inputs_move)
 {
     const event_values low = values_at(c, AT_LOW);
-    if (some_sleep(c)) leave_far_out(c);
+    if (c->s.head[S_FUNCTIONS_KNOWN] == 1.0 && some_sleep(c)) leave_far_out(c);
     if (c->s.head[S_FUNCTIONS_KNOWN] == 0.0 || inputs_move || slides_in_space(c)) {
         keep_start(c);
         return event_functions(c, low);
@@ -299,6 +299,7 @@ static void keep_functions(const context *c, int is_located)
     double *head = c->s.head;
     head[S_FUNCTIONS_KNOWN] = is_located && head[S_STEPPED] == 0.0 && head[S_SWITCHED] == 0.0;
     if (head[S_FUNCTIONS_KNOWN] == 0.0) return;
+    if (some_sleep(c) && !c->near[NEAR_CONTACTS]) head[S_FUNCTIONS_KNOWN] = 2.0;
     const event_values low = values_at(c, AT_LOW);
     const int32_t n = c->m->n_contacts + c->m->n_frictions;
     for (int32_t k = 0; (k = next_function(c, k)) < n; k++) {
@@ -551,7 +552,7 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
         reach = SAFE_WAYS * h * fastest_node(c);
     }
     if (!is_quiet(c, h, reach, low, high)) {
-        forget_asleep(c, low);
+        if (c->near[NEAR_CONTACTS]) forget_asleep(c, low);
         status = event_functions(c, high);
         if (!status) status = find_event(c, t, law_time, h, covered);
         follow_travel(c, start_of_piece(c));

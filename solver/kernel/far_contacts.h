@@ -94,8 +94,9 @@ static double safe_travel(const context *c, int32_t i, double *gap)
         linear += size * (sqrt(dot(u, u)) * along_w + sqrt(dot(w, w)) * along_u);
         square += size * along_u * along_w;
     }
+    linear = fmax(linear, 1.0); /* gaps are compared with the travel, too */
     const double root = sqrt(linear * linear + 4.0 * square * left);
-    return linear + root > 0.0 ? 2.0 * left / (linear + root) : -1.0;
+    return 2.0 * left / (linear + root);
 }
 
 /* Whether nothing remembers forces of row j: they would be taken up where they were left. */

@@ -12,6 +12,7 @@
 #include "velocity_stage.h"
 
 enum { MOST_DIVISIONS = 7 }; /* of a half step that fails */
+enum { WAKES_LATE = -1 };    /* instead of a status: a contact that sleeps may have come near */
 
 static double booked(const context *c, int account) { return c->s.head[account] + c->s.head[account + 1]; }
 
@@ -24,7 +25,9 @@ static int32_t try_half(context *c, double h, int half)
     forget_halves(c);
     int32_t status = solve_contacts(c, parity);
     if (status) return status;
+    if (c->near[NEAR_CONTACTS] && !(travel_left(c) > 4.0 * largest_way(c))) return WAKES_LATE;
     accept_step(c, parity);
+    follow_travel(c, c->k.stepped_backup);
     if (has_closed(c) || c->m->n_frictions) status = change_velocities(c);
     if (status) return status;
     const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
@@ -40,10 +43,17 @@ static int32_t try_half(context *c, double h, int half)
 static int32_t stepped_half(context *c, double h, int half, int divisions)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
+    look_far_in_step(c, h);
     keep_state(c, c->k.stepped_backup);
     int32_t status = HOLONOM_OK;
     for (c->careful = 0; c->careful <= has_smooth(c); c->careful++) {
         status = try_half(c, h, half);
+        if (status == WAKES_LATE) {
+            restore_state(c, c->k.stepped_backup, t, law_time);
+            wake_all(c);
+            keep_state(c, c->k.stepped_backup);
+            status = try_half(c, h, half);
+        }
         if (!status) return HOLONOM_OK;
         restore_state(c, c->k.stepped_backup, t, law_time);
         lower_penalties(c);
@@ -83,7 +93,8 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     const double rest = step - done, longest = fmin(hm_step_size(head), head[S_LONGEST_STEP]);
     const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
-    wake_all(c);
+    if (is_stepped(c)) c->may_rest = 1;
+    else wake_all(c);
     head[S_STEPPED] = 1.0;
     head[S_ORDER_IN_USE] = 2.0;
     c->stepping = 1;
@@ -104,6 +115,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
         follow_coarseness(c, h);
     }
     c->stepping = 0;
+    see_all(c);
     if (!is_stepped(c)) head[S_UNSETTLED] = 1.0; /* located mode looks at contacts anew */
     return status;
 }

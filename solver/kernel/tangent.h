@@ -130,7 +130,7 @@ static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[4 * 
 static void set_rows_apart(const context *c, double *value)
 {
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
-        EACH_ROW_OF_KIND(c, j, k) {
+        for IN_ISLAND(c, j, k) {
             const int32_t place = c->lu->row_position[row_of(c, j)];
             if (state_of_row(c, j) != ROW_IS_OFF) continue;
             value[c->lu->lu_ptr[place]] = -1.0;

@@ -306,7 +306,8 @@ HEAD = (
     "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
-    "functions_known",  # 1: `functions` are those of contacts and frictions at the state
+    "functions_known",  # 1: `functions` are those of contacts and frictions at the state that are
+    # awake; 2: of those that sleep, too
     "travel", "next_awake",  # so far, and the least of `asleep_until`, or 0, see far_contacts.h
     "shares",  # 1: what sticks shares its forces as rest_split.h tells, not as its rows do
     "stepped",  # whether a part of it was, see stepped.h
