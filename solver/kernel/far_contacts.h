@@ -14,8 +14,10 @@
 #include "contact.h"
 
 #define NEVER_SLEEPS -1e300 /* a state is finite                                                                 */
-/* Travels of a piece: that wake a contact, and that let it sleep. What moves may become twice as fast in a piece. */
+/* Travels of a piece: with which contacts are looked at; with which one is then, so that it is not the next one; and that let it
+   sleep. What moves may become twice as fast in a piece. */
 #define WAKES 2.0
+#define WAKES_AS_WELL 4.0
 #define FALLS_ASLEEP 8.0
 #define TRAVEL_ROUND_OFF 1e-15
 
@@ -120,6 +122,16 @@ static int is_free_of_force(const context *c, int32_t i)
 
 /* ------------------------------------------------------------------------------------------------ lists */
 
+/* Leaves no forces and residuals of contact i: the step does not write them while it sleeps. */
+static void clear_rows(const context *c, int32_t i)
+{
+    const int32_t f = c->m->contact_friction[i];
+    for (int32_t k = -1; k < (f < 0 ? 0 : n_slips(c, f)); k++) {
+        const int32_t row = row_of(c, k < 0 ? c->m->contact_row[i] : slip_row(c, f, k));
+        c->k.mu[row] = c->k.lambda[row] = c->k.phi[row] = 0.0;
+    }
+}
+
 /* Turns marks of begin .. end - 1, 0 of what is far, into the first index from each on that is near. */
 static void link_list(int32_t *next, int32_t begin, int32_t end)
 {
@@ -161,15 +173,12 @@ typedef struct near_lists {
 static void list_nothing(const context *c, near_lists x)
 {
     const holonom_model *m = c->m;
-    const int32_t rows = row_of(c, first_potential(c)), first = row_of(c, first_function(c));
-    double *const zero[] = {c->k.mu, c->k.lambda, c->k.phi};
     x.contact[0] = m->n_contacts, x.friction[0] = m->n_frictions;
     for (const int32_t *begin = m->island_begin; begin <= m->island_begin + ISLAND_COLUMNS * m->n_islands; begin += ISLAND_COLUMNS) {
         x.row[begin[ISLAND_FUNCTION]] = x.row[begin[ISLAND_VELOCITY]] = first_potential(c);
         x.linked[begin[ISLAND_TOUCHING_LINKED]] = m->n_linked;
         x.active[begin[ISLAND_TOUCHING_ACTIVE]] = m->n_active;
     }
-    for (int k = 0; k < 3; k++) memset(zero[k] + first, 0, sizeof(double) * (size_t)(rows - first));
 }
 
 /* Whether all contacts sleep, and nothing else has function rows or frictions. */
@@ -203,7 +212,6 @@ static void list_awake(const context *c, near_lists x)
         const int32_t owner = owner_of(c, j);
         row[j] = owner < 0 || (owner < m->n_contacts ? contact[owner] : friction[owner - m->n_contacts]);
         if (row[j]) mark_parts(c, j, form, active);
-        else c->k.mu[row_of(c, j)] = c->k.lambda[row_of(c, j)] = c->k.phi[row_of(c, j)] = 0.0;
     }
     for (int32_t i = m->n_bilateral_linked; i < m->n_linked; i++) linked[i] = form[m->linked_form[i]];
     link_list(contact, 0, m->n_contacts);
@@ -224,6 +232,9 @@ static void leave_far_out(context *c)
     x.row = x.friction + m->n_frictions + 1;
     x.linked = x.row + first_potential(c) + 1;
     x.active = x.linked + m->n_linked + 1;
+    double *const rows[] = {c->k.mu, c->k.lambda, c->k.phi}; /* a piece begins, which writes those at hand */
+    for (int k = 0; k < 3 && !c->near[NEAR_CONTACTS]; k++)
+        memset(rows[k] + row_of(c, first_function(c)), 0, sizeof(double) * (size_t)(m->n_function_rows + m->n_velocity_rows));
     if (all_is_far(c)) list_nothing(c, x);
     else list_awake(c, x);
     c->near[NEAR_CONTACTS] = x.contact, c->near[NEAR_FRICTIONS] = x.friction, c->near[NEAR_ROWS] = x.row;
@@ -255,11 +266,12 @@ static void look_far(context *c, double travel, double *value, double *rate)
         double *until = contact_of(c, i) + C_ASLEEP_UNTIL;
         const int slept = is_asleep(c, i);
         double gap = 0.0;
-        if (!(*until > head[S_TRAVEL] + WAKES * travel) && *until > NEVER_SLEEPS) {
+        if (!(*until > head[S_TRAVEL] + WAKES_AS_WELL * travel) && *until > NEVER_SLEEPS) {
             const double safe = is_free_of_force(c, i) ? safe_travel(c, i, &gap) : 0.0, needed = FALLS_ASLEEP * travel;
             *until = safe < 0.0 ? NEVER_SLEEPS : safe > needed ? head[S_TRAVEL] + safe : safe > 0.0 ? -gap * needed / safe : 0.0;
         }
-        if (is_asleep(c, i)) next = fmin(next, *until);
+        if (!slept && is_asleep(c, i)) clear_rows(c, i);
+        if (is_asleep(c, i)) next = *until < next ? *until : next;
         else if (slept && value) value[i] = gap, rate[i] = NAN;
         changes |= slept != is_asleep(c, i);
     }
