@@ -54,8 +54,7 @@ WORK = {
     "value": "n_lu_values",  # tangent and its factors
     "pieces": "unilateral * (2 * (n_function_rows + n_velocity_rows) + 4)",  # see leave_rows_out
     # integers of far_contacts.h: lists of what is near, forms of these, and pieces of them
-    "near": "unilateral * (n_contacts + n_frictions + n_elements + n_function_rows + n_velocity_rows"
-    " + n_linked + n_active + 5)",
+    "near": "unilateral * (n_owners + n_composites + n_linked + n_active + 5)",
     "near_form": "unilateral * n_forms",
     "near_slice": "unilateral * (8 * n_islands + 8)",
     "near_pieces": "unilateral * (8 * (n_function_rows + n_velocity_rows) + 10 * n_islands + 10)",
