@@ -57,6 +57,7 @@ SKIPS = {
     "islands": 128,
     "fresh factors": 256,
     "directors": 512,
+    "far contacts": 1024,
 }
 """Bits of `enum skip`, by their names in `docs/skips.md`."""
 ALL = sum(SKIPS.values())

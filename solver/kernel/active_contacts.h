@@ -40,7 +40,7 @@ static int32_t guess_choice(context *c, int parity)
     const double half = 0.5 * c->h * c->h, none = PENETRATION * c->number[m->extent_at];
     double *way = c->k.ahead, *const first = c->k.sweep, *end = first; /* of each near contact: gap, N, W, its index, gradient */
     memset(way, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t i = 0; i < m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const int32_t j = m->contact_row[i], *node = m->composite_node + m->composite_node_ptr[j];
         const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         if (touch_of(c, i)->is_near == 0.0) continue;
@@ -83,7 +83,7 @@ static int open_contradicting(context *c)
 {
     double least = INFINITY;
     int32_t first = -1;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const double before = fmax(touch_of(c, i)->normal, 0.0), change = is_closed(c, i) ? before - normal_in_step(c, i) : 0.0;
         if (change > before && before / change < least) least = before / change, first = i;
     }
@@ -97,20 +97,21 @@ static int open_contradicting(context *c)
 static int contradicts(const context *c, int guessed)
 {
     double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_contacts && guessed; i++) largest = fmax(largest, touch_of(c, i)->normal);
+    if (!guessed) return 0;
+    EACH_CONTACT(c, i) largest = fmax(largest, touch_of(c, i)->normal);
     return largest > 0.0 && largest_normal(c, c->k.mu) > BEYOND * largest;
 }
 
 static int n_near(const context *c)
 {
     int n = 0;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) n += touch_of(c, i)->is_near != 0.0;
+    EACH_CONTACT(c, i) n += touch_of(c, i)->is_near != 0.0;
     return n;
 }
 
 static void keep_normals(const context *c)
 {
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
+    EACH_CONTACT(c, i)
         touch_of(c, i)->normal = is_closed(c, i) ? normal_in_step(c, i) : 0.0;
 }
 
@@ -138,7 +139,7 @@ static int32_t solve_choices(context *c, int parity, int at_once)
         if (x.count < fewest) fewest = x.count, patience = PATIENCE;
         else if (patience > 0) patience--;
         if (are_many && solved && !guesses) { /* closed contacts contradict each other: from none on */
-            for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
+            EACH_CONTACT(c, i) open_contact(c, i);
             continue;
         }
         if (are_many && (solved || contradicts(c, guesses)) && open_contradicting(c)) continue;

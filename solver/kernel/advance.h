@@ -26,7 +26,7 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     if (has_new_parameters && n_contacts(m)) quantities_at_state(&c);
     for (int32_t i = 0; i < n_contacts(m) && has_new_parameters; i++) before[i] = gap_of(&c, i);
     const int has_new_inputs = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0;
-    if (has_new_parameters) start_anew(&c);
+    if (has_new_parameters) start_anew(&c), wake_all(&c);
     if (has_jumped(&c, c.s.inputs, inputs)) end_line(&c);
     if (has_new_parameters || has_new_inputs) c.s.head[S_UNSETTLED] = 1.0;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
@@ -161,10 +161,9 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = head[S_SWITCHED] = 0.0;
     head[S_JAMS] = head[S_NEWTON_IMPACTS] = head[S_MIXED_IMPACTS] = head[S_DEFERRED_FRICTIONS] = 0.0;
-    if (!status && is_unilateral(m) && !is_stepped(&c)) {
-        keep_start(&c);
+    if (repeated_by(&c)) wake_all(&c);
+    if (!status && is_unilateral(m) && !is_stepped(&c))
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : take_functions(&c, moves);
-    }
     if (!status && c.tolerance > 0.0) follow_jumps(&c);
     if (repeated_by(&c)) status = status ? status : cover_by_mesh(&c, start, step);
     else if (is_unilateral(m) && may_step_over(status)) {

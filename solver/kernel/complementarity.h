@@ -38,7 +38,8 @@ static int32_t close_crossed(context *c, int all, objections *x)
 {
     const double none = PENETRATION * c->number[c->m->extent_at], reach = 4.0 * largest_way(c);
     int32_t status = HOLONOM_OK;
-    for (int32_t i = 0; i < c->m->n_contacts && !status; i++) {
+    EACH_CONTACT(c, i) {
+        if (status) break;
         const int32_t *leaf = c->m->leaf + 4 * c->m->leaf_ptr[c->m->contact_row[i]];
         const int turns = leaf[0] != LEAF_SIGNAL && c->m->quantity_kind[leaf[1]] == QUANTITY_ANGLE;
         double gap = INFINITY;
@@ -62,7 +63,7 @@ static double noise_of_normal(const context *c, int32_t i)
 static void open_pulling(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal(c, c->k.mu);
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const int32_t f = c->m->contact_friction[i];
         double along[3];
         if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i)) || !add_objection(c, x, i)) continue;
@@ -83,8 +84,8 @@ static void change_frictions(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal(c, c->k.mu), still = 1e-3 * speed_tolerance(c);
     int lands = 0;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) lands |= is_landing(c, i);
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+    EACH_CONTACT(c, i) lands |= is_landing(c, i);
+    EACH_FRICTION(c, f) {
         const int mode = friction_mode(c, f);
         double along[3];
         if (mode == FRICTION_OFF || is_smooth(c, f)) continue;

@@ -261,11 +261,12 @@ HM_SELDOM static double quantity_at(const context *c, int32_t j, const double *x
 HM_OFTEN void links_of_parts(const context *c, int linked, int active)
 {
     const holonom_model *m = c->m;
-    for IN_ISLAND(c, i, linked) {
+    const int touches = linked == ISLAND_TOUCHING_LINKED;
+    for (int32_t i = c->begin[linked]; (i = touches ? next_near(c, NEAR_LINKED, i) : i) < c->end[linked]; i++) {
         const int32_t f = m->linked_form[i];
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
-    for IN_ISLAND(c, j, active) {
+    for (int32_t j = c->begin[active]; (j = touches ? next_near(c, NEAR_ACTIVE, j) : j) < c->end[active]; j++) {
         double s[2] = {0.0, 0.0};
         for (int i = 0; i < (m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1); i++) {
             const int32_t f = m->quantity_form[2 * j + i];

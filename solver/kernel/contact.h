@@ -113,6 +113,7 @@ HM_SELDOM static double slip_at_state(const context *c, int32_t f, double *along
 /* Evaluates laws, quantities and rates of signals at the present state. */
 HM_SELDOM static void evaluate_state(context *c)
 {
+    if (!c->stepping) see_all(c);
     if (c->m->sensing) sense(c, 0.0, 0);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t, 1);
     quantities_at_state(c);
@@ -204,6 +205,7 @@ HM_SELDOM static void close_contact_at(context *c, int32_t i, double gap)
     const int32_t f = c->m->contact_friction[i];
     double *x = contact_of(c, i);
     x[C_CLOSED] = 1.0;
+    x[C_ASLEEP_UNTIL] = 0.0;
     x[C_REFERENCE] = gap;
     if (f >= 0) guess_friction(c, f);
 }
@@ -384,7 +386,7 @@ HM_SELDOM static int close_worst(context *c)
 HM_SELDOM static double largest_normal(const context *c, const double *mu)
 {
     double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
+    EACH_CONTACT(c, i)
         if (is_closed(c, i)) largest = fmax(largest, fabs(mu[row_of(c, c->m->contact_row[i])]));
     return largest;
 }

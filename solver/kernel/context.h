@@ -17,6 +17,9 @@ typedef struct span {
     int32_t begin, end;
 } span;
 
+/* What is near, see far_contacts.h: contacts, frictions, composites that are rows, forms and quantities of these. */
+enum near_list { NEAR_CONTACTS, NEAR_FRICTIONS, NEAR_ROWS, NEAR_LINKED, NEAR_ACTIVE, NEAR_LISTS };
+
 typedef struct context {
     const holonom_model *m;
     double *number;
@@ -82,6 +85,8 @@ typedef struct context {
     int form_rows, rows, composites, all_rows, all_composites;
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
+    const int32_t *near[NEAR_LISTS]; /* of each index the first one from it on that is near; NULL: all are         */
+    int may_rest;       /* whether a contact that is awake is far enough to sleep, see far_contacts.h            */
     double stop;        /* next time at which a switch changes, infinite without one; NaN: not known            */
     double pause;       /* time after which a switch that changes again does not go forth and back without end  */
     double switched;    /* when switches last changed, and how often in turn without a pause                   */
@@ -135,12 +140,47 @@ HM_OFTEN int add_piece(span *piece, int count, int32_t begin, int32_t end)
     return count + 1;
 }
 
-/* Lets rows that are off be at hand, too. */
+static inline int32_t next_near(const context *c, enum near_list list, int32_t i) { return c->near[list] ? c->near[list][i] : i; }
+
+#define EACH_NEAR(c, list, i, first, last)                                                                     \
+    for (int32_t i##_end = (last), i = next_near(c, list, first); i < i##_end; i = next_near(c, list, i + 1))
+#define EACH_CONTACT(c, i) EACH_NEAR(c, NEAR_CONTACTS, i, 0, n_contacts((c)->m))
+#define EACH_FRICTION(c, f) EACH_NEAR(c, NEAR_FRICTIONS, f, 0, n_frictions((c)->m))
+/* Function rows (k = ISLAND_FUNCTION) or velocity rows (ISLAND_VELOCITY) of the islands at hand. */
+#define EACH_ROW_OF_KIND(c, j, k) EACH_NEAR(c, NEAR_ROWS, j, (c)->begin[k], (c)->end[k])
+
+/* Pieces of rows and composites of an island, or of all behind the last one, with turns of bodies for unknowns or without. */
+typedef struct near_slice {
+    int32_t row, rows, composite, composites;
+} near_slice;
+
+static inline near_slice *slice_of(const context *c, int turns, int32_t island)
+{
+    return (near_slice *)(void *)c->k.near_slice + (turns ? c->m->n_islands + 1 : 0) + island;
+}
+
+/* Lets rows that are off be at hand, too, but for those of contacts that are far. */
 static inline void take_all_rows(context *c)
 {
+    c->left_out = c->asleep = 0;
+    if (c->near[NEAR_CONTACTS]) {
+        const int32_t n = c->m->n_islands, is_one = c->last_island == c->first_island + 1;
+        const near_slice *own = slice_of(c, c->reduced, is_one ? c->first_island : n);
+        const span *piece = (const span *)(void *)c->k.near_pieces;
+        c->row = piece + own->row, c->composite = piece + own->composite;
+        c->rows = own->rows, c->composites = own->composites;
+        return;
+    }
     c->row = c->all_row, c->composite = c->all_composite;
     c->rows = c->all_rows, c->composites = c->all_composites;
-    c->left_out = c->asleep = 0;
+}
+
+/* Pieces of rows of the islands at hand that hold always: forms and coincidences; returns their number. */
+static int bilateral_pieces(const context *c, span *row)
+{
+    int rows = 0;
+    for (int k = 0; k < c->form_rows; k++) rows = add_piece(row, rows, c->form_row[k].begin, c->form_row[k].end);
+    return add_piece(row, rows, c->m->n_form_rows + DIM * c->begin[ISLAND_COINCIDENCE], c->m->n_form_rows + DIM * c->end[ISLAND_COINCIDENCE]);
 }
 
 /* Lets islands first .. last - 1 be those at hand. */
@@ -148,7 +188,7 @@ static void look_at(context *c, int32_t first, int32_t last)
 {
     const holonom_model *m = c->m;
     const int32_t *begin = m->island_begin + ISLAND_COLUMNS * first, *end = m->island_begin + ISLAND_COLUMNS * last;
-    const int32_t first_coincidence = m->n_form_rows, first_function = first_coincidence + DIM * m->n_coincidences;
+    const int32_t first_function = m->n_form_rows + DIM * m->n_coincidences;
     c->first_island = first, c->last_island = last;
     c->begin = begin, c->end = end;
     c->island = c->s.islands + I_SIZE * first;
@@ -156,10 +196,7 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->all_composites = 0;
     c->form_rows = add_piece(c->form_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
     if (!is_reduced(c)) c->form_rows = add_piece(c->form_row, c->form_rows, begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]);
-    c->all_rows = 0;
-    for (int k = 0; k < c->form_rows; k++) c->all_rows = add_piece(c->all_row, c->all_rows, c->form_row[k].begin, c->form_row[k].end);
-    c->all_rows = add_piece(c->all_row, c->all_rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
-                        first_coincidence + DIM * end[ISLAND_COINCIDENCE]);
+    c->all_rows = bilateral_pieces(c, c->all_row);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         c->all_rows = add_piece(c->all_row, c->all_rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
@@ -215,6 +252,14 @@ static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 /* The sections extent, row_scale and row_sigma lie side by side. */
 static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
 
+/* Lets all contacts be near again. */
+static void see_all(context *c)
+{
+    if (!c->near[NEAR_CONTACTS]) return;
+    for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
+    look_at(c, c->first_island, c->last_island);
+}
+
 static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
 {
     c->m = m;
@@ -241,6 +286,8 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->soft = c->outside = c->together = c->gives_way = c->stepping = c->reads = c->foretells = c->n_pairs = c->n_secants = c->has_last = c->defers_friction = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
+    for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
+    c->may_rest = 0;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);
     c->factors_lu = c->secants_lu = c->lu;

@@ -148,7 +148,7 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
     }
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) link_of(c, m->coincidence_form[j], v, rate + m->n_form_rows + DIM * j, vw);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
-        for IN_ISLAND(c, j, k)
+        EACH_ROW_OF_KIND(c, j, k)
             rate[row_of(c, j)] =
                 state_of_row(c, j) == ROW_IS_ON ? function_rate(c, j, x, x_low, v, signal, signal_rate) : 0.0;
 }

@@ -7,6 +7,7 @@
 #define HOLONOM_EVENT_H
 
 #include "contact_modes.h"
+#include "far_contacts.h"
 #include "force_dips.h"
 #include "short_piece.h"
 
@@ -26,10 +27,17 @@ static inline void copy_values(const context *c, event_values from, event_values
     memcpy(to.value, from.value, sizeof(double) * (size_t)(2 * (c->m->n_contacts + c->m->n_frictions)));
 }
 
+/* The first function from k on of a contact or friction that is near. */
+static inline int32_t next_function(const context *c, int32_t k)
+{
+    const int32_t n = c->m->n_contacts;
+    if (k < n && (k = next_near(c, NEAR_CONTACTS, k)) < n) return k;
+    return n + next_near(c, NEAR_FRICTIONS, k - n);
+}
+
 static int has_closed(const context *c)
 {
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (is_closed(c, i)) return 1;
+    EACH_CONTACT(c, i) if (is_closed(c, i)) return 1;
     return 0;
 }
 
@@ -37,8 +45,7 @@ static int has_closed(const context *c)
 static int has_forces(const context *c)
 {
     if (has_closed(c)) return 1;
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
-        if (friction_mode(c, f) != FRICTION_OFF && !is_smooth(c, f)) return 1;
+    EACH_FRICTION(c, f) if (friction_mode(c, f) != FRICTION_OFF && !is_smooth(c, f)) return 1;
     return 0;
 }
 
@@ -154,7 +161,7 @@ static double find_dip(const context *c, double t, double h, event_values low, e
 {
     double deepest = SAFE_NORMAL, place = 0.0;
     if (has_shares(c)) return 0.0; /* no force of theirs vanishes by itself */
-    for (int32_t k = 0; k < c->m->n_contacts + c->m->n_frictions; k++) {
+    for (int32_t k = 0; (k = next_function(c, k)) < c->m->n_contacts + c->m->n_frictions; k++) {
         const int is_on = k < c->m->n_contacts ? is_closed(c, k) : friction_mode(c, k - c->m->n_contacts) == FRICTION_STICKS;
         if (!is_on) continue;
         double y[3] = {low.value[k], NAN, high.value[k]};
@@ -179,13 +186,12 @@ static int is_quiet_slip(double h, double v0, double r0, double v1, double *rate
 }
 
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
-   two means extrapolate. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
-static int is_quiet(context *c, double h, event_values low, event_values x)
+   two means extrapolate; `reach` are SAFE_WAYS of the fastest node. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
+static int is_quiet(context *c, double h, double reach, event_values low, event_values x)
 {
     const holonom_model *m = c->m;
     const double gap = c->s.head[S_MEAN_TIME] - c->s.head[S_MEAN_TIME_BEFORE];
     const double ahead = gap > 0.0 && gap < INFINITY ? (c->t - c->s.head[S_MEAN_TIME]) / gap : 0.0;
-    const double reach = SAFE_WAYS * h * fastest_node(c);
     c->outside = 0;
     if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h && ahead <= FARTHEST)) return 0;
     for (int32_t i = 0; i < m->n_rows && has_forces(c); i++)
@@ -194,16 +200,18 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
     if (rests) add_shares(c, c->k.event_mu);
     c->outside = has_forces(c) && is_outside(c);
     if (c->outside || (rests && !forces_stand_still(c))) return 0;
-    for (int32_t i = 0; i < m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         x.rate[i] = NAN;
         if (is_closed(c, i)) {
             const double mean = -c->s.mean[row_of(c, m->contact_row[i])];
             x.value[i] = normal_of(c, i);
             if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i]))) return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
+        else c->may_rest |= may_rest(c, i, x.value[i]);
     }
-    for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
+    EACH_FRICTION(c, f) {
         const int mode = friction_mode(c, f);
+        const int32_t k = m->n_contacts + f;
         x.value[k] = INFINITY, x.rate[k] = NAN;
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
@@ -299,9 +307,13 @@ static int32_t take_functions(context *c, int inputs_move)
 {
     const event_values low = values_at(c, AT_LOW);
     const int asks_forces = c->s.head[S_ORDER_IN_USE] > 2.0 && slides_in_space(c);
-    if (c->s.head[S_FUNCTIONS_KNOWN] == 0.0 || inputs_move || asks_forces) return event_functions(c, low);
+    if (c->s.head[S_FUNCTIONS_KNOWN] == 1.0 && some_sleep(c)) leave_far_out(c);
+    if (c->s.head[S_FUNCTIONS_KNOWN] == 0.0 || inputs_move || asks_forces) {
+        keep_start(c);
+        return event_functions(c, low);
+    }
     const int32_t n = c->m->n_contacts + c->m->n_frictions;
-    for (int32_t k = 0; k < n; k++) {
+    for (int32_t k = 0; (k = next_function(c, k)) < n; k++) {
         const double value = c->s.functions[k], rate = c->s.functions[n + k];
         low.value[k] = value == NOT_A_NUMBER_IN_STATE ? INFINITY : value;
         low.rate[k] = rate == NOT_A_NUMBER_IN_STATE ? NAN : rate;
@@ -315,9 +327,10 @@ static void keep_functions(const context *c, int is_located)
     double *head = c->s.head;
     head[S_FUNCTIONS_KNOWN] = is_located && head[S_STEPPED] == 0.0 && head[S_SWITCHED] == 0.0;
     if (head[S_FUNCTIONS_KNOWN] == 0.0) return;
+    if (some_sleep(c) && !c->near[NEAR_CONTACTS]) head[S_FUNCTIONS_KNOWN] = 2.0;
     const event_values low = values_at(c, AT_LOW);
     const int32_t n = c->m->n_contacts + c->m->n_frictions;
-    for (int32_t k = 0; k < n; k++) {
+    for (int32_t k = 0; (k = next_function(c, k)) < n; k++) {
         c->s.functions[k] = low.value[k] < INFINITY ? low.value[k] : NOT_A_NUMBER_IN_STATE;
         c->s.functions[n + k] = low.rate[k] == low.rate[k] ? low.rate[k] : NOT_A_NUMBER_IN_STATE;
     }
@@ -455,6 +468,7 @@ HM_SELDOM static int32_t settle(context *c)
 /* New modes after a change of inputs or parameters. Rates that closed contacts still have are no approach. */
 HM_SELDOM static int32_t settle_changes(context *c)
 {
+    keep_start(c);
     evaluate_state(c);
     const int32_t status = has_forces(c) ? project_velocities(c, S_IMPACT) : HOLONOM_OK;
     return status ? status : settle(c);
@@ -469,9 +483,11 @@ HM_SELDOM static int32_t settle_changes(context *c)
 static double length_before_stop(const context *c, double length)
 {
     const event_values low = values_at(c, AT_LOW);
-    for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++)
+    EACH_FRICTION(c, f) {
+        const int32_t k = c->m->n_contacts + f;
         if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0 && low.value[k] >= 0.0)
             length = fmin(length, BEFORE_STOP * low.value[k] / -low.rate[k]);
+    }
     return length;
 }
 
@@ -514,7 +530,8 @@ static int begins_to_slide(const context *c, double *length)
 static int follow_slips(context *c, event_values at)
 {
     int stops = 0;
-    for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++) {
+    EACH_FRICTION(c, f) {
+        const int32_t k = c->m->n_contacts + f;
         double along[3];
         if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)) continue;
         const double before = at.value[k];
@@ -536,16 +553,47 @@ static int friction_takes_energy(const context *c)
     return head[S_FRICTION] >= start[S_FRICTION] - 1e-9 * head[S_ENERGY_REFERENCE];
 }
 
+/* Functions of contacts that sleep: their gaps at the state; or those of what is far. */
+static void value_asleep(const context *c, event_values x)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_asleep(c, i)) x.value[i] = value_of_function(c, c->m->contact_row[i], 0), x.rate[i] = NAN;
+}
+
+static void forget_asleep(const context *c, event_values x)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const int32_t f = c->m->contact_friction[i];
+        if (!is_asleep(c, i)) continue;
+        x.value[i] = INFINITY, x.rate[i] = NAN;
+        if (f >= 0) x.value[c->m->n_contacts + f] = INFINITY, x.rate[c->m->n_contacts + f] = NAN;
+    }
+}
+
 /* Cuts a piece of length h from time t, whose step has just been made, at its first event; `covered` is the length that it then has. */
 static int32_t cut_piece(context *c, double t, double law_time, double h, double *covered)
 {
-    const event_values high = values_at(c, AT_HIGH);
+    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
+    double reach = SAFE_WAYS * h * fastest_node(c);
     int32_t status = HOLONOM_OK;
     *covered = h;
     c->event = -1;
-    if (!is_quiet(c, h, values_at(c, AT_LOW), high)) {
+    follow_travel(c, start_of_piece(c));
+    if (c->near[NEAR_CONTACTS] && !(travel_left(c) > reach)) { /* what moves has become much faster: once more, with all awake */
+        undo_piece(c, t, law_time);
+        value_asleep(c, low);
+        wake_all(c);
+        status = step_piece(c, h);
+        if (status) return status;
+        reach = SAFE_WAYS * h * fastest_node(c);
+    }
+    if (!is_quiet(c, h, reach, low, high)) {
+        if (c->near[NEAR_CONTACTS]) forget_asleep(c, low);
         status = event_functions(c, high);
         if (!status) status = find_event(c, t, law_time, h, covered);
+        follow_travel(c, start_of_piece(c));
+    } else if (c->may_rest || (c->near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach))) {
+        look_far(c, reach, high.value, high.rate);
     }
     return !status && !friction_takes_energy(c) ? HOLONOM_CONTACT_UNDECIDED : status;
 }

@@ -289,9 +289,9 @@ static double function_value(const context *c, int32_t j) { return value_of_func
 /* sigma0 becomes the quantities at the state, of the islands at hand. */
 static void quantities_at_state(const context *c)
 {
-    static const int PARTS[] = {ISLAND_ACTIVE, ISLAND_TOUCHING_ACTIVE};
-    for (int k = 0; k < 2; k++)
-        for IN_ISLAND(c, j, PARTS[k]) c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
+    for IN_ISLAND(c, j, ISLAND_ACTIVE) c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
+    EACH_NEAR(c, NEAR_ACTIVE, j, c->begin[ISLAND_TOUCHING_ACTIVE], c->end[ISLAND_TOUCHING_ACTIVE])
+        c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
 }
 
 #endif

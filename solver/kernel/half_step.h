@@ -44,7 +44,7 @@ static void average_multipliers(context *c, double time)
     if (!is_telling(c)) return;
     head[S_MEAN_TIME_BEFORE] = head[S_MEAN_TIME];
     head[S_MEAN_TIME] = time;
-    for (int32_t i = 0; i < c->m->n_rows; i++) {
+    EACH_ROW(c, i) {
         s->mean_before[i] = s->mean[i];
         s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
     }

@@ -60,11 +60,22 @@ static void let_stop(const context *c, int32_t f, double share)
 static int stop_together(const context *c, int at_once)
 {
     double least = INFINITY;
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
+    EACH_FRICTION(c, f)
         if (c->k.share[f] > 0.0) least = fmin(least, c->k.share[f]);
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
+    EACH_FRICTION(c, f)
         if (c->k.share[f] > 0.0) let_stop(c, f, at_once ? 0.0 : least);
     return least < INFINITY;
+}
+
+/* Ways that what moves may have in a half step, by velocities and by accelerations. */
+static double way_at_speed(const context *c, double h) { return 4.0 * h * fastest_node(c); }
+static double way_of_fall(const context *c, double h) { return 3.0 * h * h * largest_acceleration(c); }
+
+/* Lets contacts sleep that are far in a half step of length h. */
+static void look_far_in_step(context *c, double h)
+{
+    const double reach = way_at_speed(c, h) + way_of_fall(c, h);
+    if (c->may_rest || !(travel_left(c) > WAKES * reach) || !c->near[NEAR_CONTACTS]) look_far(c, reach, NULL, NULL);
 }
 
 /* Gaps and slips at the start of a half step of length h, and a first choice: what was closed stays so, what is reached
@@ -72,21 +83,22 @@ static int stop_together(const context *c, int at_once)
 static void begin_choice(context *c, double h)
 {
     const holonom_model *m = c->m;
-    const double speed = 4.0 * h * fastest_node(c), fall = 3.0 * h * h * largest_acceleration(c);
+    const double speed = way_at_speed(c, h), fall = way_of_fall(c, h);
     const double none = PENETRATION * c->number[m->extent_at];
     forget_shares(c);
     memset(c->k.stop, 0, sizeof(double) * (size_t)m->n_rows);
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
-    for (int32_t i = 0; i < m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         touch *x = touch_of(c, i);
         x->was_closed = contact_of(c, i)[C_CLOSED];
         x->gap = gap_of(c, i);
         x->is_near = x->was_closed != 0.0 || x->gap < speed + fall + none;
         x->rate = x->is_near != 0.0 ? gap_rate(c, i) : 0.0;
+        if (x->was_closed == 0.0) c->may_rest |= may_rest(c, i, x->gap);
         x->is_near = x->was_closed != 0.0 || x->gap + 2.0 * h * fmin(x->rate, 0.0) - fall < none;
     }
-    for (int32_t f = 0; f < m->n_frictions; f++) {
+    EACH_FRICTION(c, f) {
         const int mode = friction_mode(c, f);
         c->k.flips[f] = 0.0;
         forget_stop(c, f);
@@ -94,7 +106,7 @@ static void begin_choice(context *c, double h)
             c->k.slip_before[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
         if (mode == FRICTION_SLIDES || !is_of_contact(c, f) || is_deferred(c, f)) guess_friction(c, f);
     }
-    for (int32_t i = 0; i < m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const touch *x = touch_of(c, i);
         double *reference = contact_of(c, i) + C_REFERENCE; /* a negative one: round-off of the drawing, which no step pushes out */
         if (x->was_closed != 0.0) *reference = fmin(*reference, 0.0);

@@ -208,7 +208,7 @@ static void accept_step(context *c, int parity)
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
-    c->rows_known = c->halves == 2 && !is_unilateral(c->m);
+    c->rows_known = c->halves == 2 && (!is_unilateral(c->m) || (!c->stepping && are_all_off(c)));
     use_unknowns(c, 0);
     if (is_telling(c)) remember_length(c);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);

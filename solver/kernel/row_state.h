@@ -59,6 +59,14 @@ static inline enum row_state state_of_multiplier(const context *c, int32_t i)
     return j < 0 ? ROW_IS_ON : state_of_row(c, j);
 }
 
+/* Whether all contacts and frictions are off. */
+static int are_all_off(const context *c)
+{
+    EACH_CONTACT(c, i) if (is_closed(c, i)) return 0;
+    EACH_FRICTION(c, f) if (friction_mode(c, f) != FRICTION_OFF) return 0;
+    return 1;
+}
+
 /* Takes rows that are off out of the pieces at hand, until take_all_rows: a step has no multipliers and residuals of theirs. */
 static void leave_rows_out(context *c)
 {
@@ -70,7 +78,7 @@ static void leave_rows_out(context *c)
     for (; rows < c->rows && c->row[rows].begin < first; rows++)
         row[rows] = (span){c->row[rows].begin, c->row[rows].end < first ? c->row[rows].end : first};
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
-        for IN_ISLAND(c, j, k) {
+        EACH_ROW_OF_KIND(c, j, k) {
             const int32_t i = row_of(c, j);
             if (state_of_row(c, j) == ROW_IS_OFF) {
                 c->k.mu[i] = c->k.lambda[i] = c->k.phi[i] = 0.0;
@@ -116,8 +124,7 @@ static inline int32_t slip_row(const context *c, int32_t f, int k) { return c->m
 /* Whether a friction in space slides. Its direction turns the faster the slower it is. */
 static int slides_in_space(const context *c)
 {
-    for (int32_t f = 0; f < n_frictions(c->m); f++)
-        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES) return 1;
+    EACH_FRICTION(c, f) if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES) return 1;
     return 0;
 }
 
@@ -213,7 +220,7 @@ static double slip_direction(const context *c, int32_t f, double *along)
 static void follow_cones(const context *c)
 {
     if (!c->sliding) return;
-    for (int32_t f = 0; f < n_frictions(c->m); f++) {
+    EACH_FRICTION(c, f) {
         double along[3];
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
         const double force = cone(c, f, 1, normal_force(c, f, c->k.mu));
@@ -226,7 +233,7 @@ static void follow_cones(const context *c)
    bring about would not be orthogonal to what rows allow.                                                       */
 static void suspend_sliding(const context *c, int suspended)
 {
-    for (int32_t f = 0; f < n_frictions(c->m); f++) {
+    EACH_FRICTION(c, f) {
         double *x = friction_of(c, f);
         if (x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
     }

@@ -53,6 +53,11 @@ WORK = {
     "rhs": "n_pivots",  # elimination order
     "value": "n_lu_values",  # tangent and its factors
     "pieces": "unilateral * (2 * (n_function_rows + n_velocity_rows) + 4)",  # see leave_rows_out
+    # integers of far_contacts.h: lists of what is near, forms of these, and pieces of them
+    "near": "unilateral * (n_owners + n_composites + n_linked + n_active + 5)",
+    "near_form": "unilateral * n_forms",
+    "near_slice": "unilateral * (8 * n_islands + 8)",
+    "near_pieces": "unilateral * (8 * (n_function_rows + n_velocity_rows) + 10 * n_islands + 10)",
     "live": "n_lu_values * unilateral",  # integers, see factorise_matrix
     "local": "n_local_forms * n_form_numbers",  # links and values of the forms of a composite
     "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end

@@ -135,6 +135,9 @@ static context rows_at_state(const context *c)
     rows.lu = &c->m->full;
     rows.h = AT_STATE;
     rows.constraints_only = rows.at_state = 1;
+    for (int k = 0; k < NEAR_LISTS; k++) rows.near[k] = NULL;
+    rows.row = c->all_row, rows.composite = c->all_composite;
+    rows.rows = c->all_rows, rows.composites = c->all_composites;
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = 1.0 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
     return rows;
@@ -374,12 +377,16 @@ HM_SELDOM static void forget_dependent_rows(const context *c)
     for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
 }
 
-/* The largest eigenvalue of P (contract_multipliers): what the last of four updates leaves of random multipliers. */
+/* The largest eigenvalue of P (contract_multipliers): what the last of four updates leaves of random multipliers. Rows that are off
+   keep theirs whatever moves, and do not count. */
 static double left_by_updates(const context *c)
 {
     double *x = c->k.row_bias, size2 = 0.0, left2 = 0.0;
     uint32_t random = 1;
-    EACH_ROW(c, i) x[i] = (random = 1664525u * random + 1013904223u) & 0x80000000u ? 1.0 : -1.0;
+    EACH_ROW(c, i) {
+        random = 1664525u * random + 1013904223u;
+        x[i] = state_of_multiplier(c, i) == ROW_IS_OFF ? 0.0 : random & 0x80000000u ? 1.0 : -1.0;
+    }
     for (int time = 0; time < 4; time++) {
         size2 = left2 = 0.0;
         EACH_ROW(c, i) size2 += c->k.epsilon[i] * x[i] * x[i];

@@ -41,9 +41,9 @@ static void rows_at_start(context *c, int exact)
     if (exact && c->rows_known && c->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT)
         EACH_ROW(c, i) c->k.phi0[i] = c->k.phi[i];
     else form_rows_at_state(c, exact);
-    for IN_ISLAND(c, j, ISLAND_FUNCTION)
+    EACH_ROW_OF_KIND(c, j, ISLAND_FUNCTION)
         c->k.phi0[row_of(c, j)] = exact && state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
-    for IN_ISLAND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;
+    EACH_ROW_OF_KIND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;
 }
 
 #define MOST_TURNED 2.5 /* rad */

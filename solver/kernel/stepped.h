@@ -15,6 +15,7 @@ enum {
     MOST_DIVISIONS = 7, /* of a half step that fails                                                             */
     DEFERS_FROM = 5     /* of them: from there on friction may be deferred                                        */
 };
+enum { WAKES_LATE = -1 }; /* instead of a status: a contact that sleeps may have come near */
 
 /* One half step, which counts only if its ledger closes and contacts give no energy. */
 static int32_t try_half(context *c, double h, int half)
@@ -25,7 +26,9 @@ static int32_t try_half(context *c, double h, int half)
     forget_halves(c);
     int32_t status = solve_contacts(c, parity);
     if (status) return status;
+    if (c->near[NEAR_CONTACTS] && !(travel_left(c) > 4.0 * largest_way(c))) return WAKES_LATE;
     accept_step(c, parity);
+    follow_travel(c, c->k.stepped_backup);
     if (has_closed(c) || c->m->n_frictions) status = change_velocities(c);
     if (status) return status;
     const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
@@ -52,12 +55,19 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
     const int may_defer = divisions >= DEFERS_FROM && contacts_rub(c);
+    look_far_in_step(c, h);
     keep_state(c, c->k.stepped_backup);
     int32_t status = HOLONOM_CONTACT_UNDECIDED;
     for (int defers = 0; defers <= may_defer && may_choose_anew(status); defers++)
         for (c->careful = 0; c->careful <= has_smooth(c); c->careful++) {
             c->defers_friction = defers;
             status = try_half(c, h, half);
+            if (status == WAKES_LATE) {
+                restore_state(c, c->k.stepped_backup, t, law_time);
+                wake_all(c);
+                keep_state(c, c->k.stepped_backup);
+                status = try_half(c, h, half);
+            }
             c->defers_friction = 0;
             if (!status) {
                 c->s.head[S_DEFERRED_FRICTIONS] += defers;
@@ -99,6 +109,8 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     const double rest = step - done, longest = fmin(hm_step_size(head), head[S_LONGEST_STEP]);
     const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
+    if (is_stepped(c)) c->may_rest = 1;
+    else wake_all(c);
     head[S_STEPPED] = 1.0;
     head[S_ORDER_IN_USE] = 2.0;
     c->stepping = 1;
@@ -119,6 +131,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
         follow_coarseness(c, h);
     }
     c->stepping = 0;
+    see_all(c);
     if (!is_stepped(c)) head[S_UNSETTLED] = 1.0; /* located mode looks at contacts anew */
     return status;
 }
@@ -137,6 +150,7 @@ HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double
    first multipliers agree with, if any do.                                                                      */
 HM_SELDOM static int32_t begin_contacts(context *c)
 {
+    wake_all(c);
     if (!is_stepped(c)) return settle(c);
     const int32_t status = settle_modes(c);
     c->s.head[S_UNSETTLED] = 0.0;

@@ -39,6 +39,7 @@ HM_SELDOM static void add_defect(const context *c, double sign)
 /* Likewise, with new factors and without what sliding frictions do. */
 HM_SELDOM static int32_t find_disallowed(context *c)
 {
+    see_all(c);
     suspend_sliding(c, 1);
     stand_still(c);
     const int32_t status = factorise_at_state(c, NULL);

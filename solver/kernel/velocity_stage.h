@@ -22,12 +22,12 @@ static double booked(const context *c, int account) { return c->s.head[account] 
 static void keep_first_stage(const context *c)
 {
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = c->h * c->k.mu[i];
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const int32_t row = row_of(c, c->m->contact_row[i]);
         touch_of(c, i)->lands = is_landing(c, i) ? LANDS : is_closed(c, i) && c->defers_friction ? RUBS : IS_HELD;
         touch_of(c, i)->taken = is_closed(c, i) ? c->k.mu[row] * c->k.change[row] : 0.0;
     }
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+    EACH_FRICTION(c, f) {
         c->k.rubbed[f] = 0.0;
         for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) != FRICTION_OFF; k++) {
             const int32_t row = row_of(c, slip_row(c, f, k));
@@ -46,7 +46,7 @@ static int is_of_island(const context *c, int32_t j, int32_t island)
 /* Whether a contact of that island takes part so. */
 static int island_has(const context *c, int32_t island, int how)
 {
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
+    EACH_CONTACT(c, i)
         if (touch_of(c, i)->lands == how && is_of_island(c, c->m->contact_row[i], island)) return 1;
     return 0;
 }
@@ -69,7 +69,7 @@ static double restitution_in_step(const context *c, int32_t i)
 static int collect_landing(const context *c, hit *x, int32_t island, double *taken, double *rubbed)
 {
     *taken = *rubbed = 0.0;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const touch *own = touch_of(c, i);
         if (!is_of_island(c, c->m->contact_row[i], island) || !(is_closed(c, i) || gap_of(c, i) <= gap_tolerance(c))) continue;
         if (!add_to_hit(c, x, i, restitution_in_step(c, i))) return 0;
@@ -158,7 +158,7 @@ static int32_t land(context *c, int32_t island)
     hit x;
     map_hit(c, &x);
     if (!collect_landing(c, &x, island, &taken, &rubbed)) {
-        for (int32_t i = 0; i < c->m->n_contacts; i++)
+        EACH_CONTACT(c, i)
             if (is_of_island(c, c->m->contact_row[i], island)) touch_of(c, i)->lands = touch_of(c, i)->lands == LANDS ? LANDS_AMONG_MANY : IS_HELD;
         return HOLONOM_OK;
     }
@@ -199,6 +199,7 @@ static int island_has_contact(context *c)
 static int rates_to_stop(context *c)
 {
     int holds = 0;
+    memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         look_at(c, island, island + 1);
@@ -220,14 +221,14 @@ static void add_velocities(context *c, const double *x, int driven)
     const double before = mass_product(c, x, c->s.v) + 0.5 * mass_product(c, x, x);
     for (int side = 0; side < 2; side++) {
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, rate);
-        for (int32_t f = 0; f < m->n_frictions; f++)
+        EACH_FRICTION(c, f)
             for (int k = 0; k < n_slips(c, f); k++) {
                 const int32_t j = slip_row(c, f, k), row = row_of(c, j);
                 if (state_of_row(c, j) == ROW_IS_OFF) continue;
                 rate[row] = rate_of_row(c, j);
                 friction += 0.5 * c->k.mu[row] * rate[row];
             }
-        for (int32_t i = 0; i < m->n_rows; i++) total += 0.5 * c->k.mu[i] * rate[i];
+        EACH_ROW(c, i) total += 0.5 * c->k.mu[i] * rate[i];
         for (int32_t k = 0; k < DIM * m->n_free && !side; k++) hm_add(c->s.v + k, c->s.v_low + k, x[k]);
     }
     const double loss = driven ? total : -before;
@@ -240,7 +241,7 @@ static void add_velocities(context *c, const double *x, int driven)
 static int stop_reversed(context *c)
 {
     int stops = 0;
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+    EACH_FRICTION(c, f) {
         if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f) || !(slip_along(c, f) < -speed_tolerance(c))) continue;
         if (!is_of_contact(c, f)) {
             guess_friction(c, f);
@@ -257,7 +258,7 @@ static int stop_reversed(context *c)
 static int tear_loose_in_step(context *c)
 {
     int tears = 0;
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+    EACH_FRICTION(c, f) {
         if (friction_mode(c, f) != FRICTION_STICKS || !(slip_of(c, f, NULL) > speed_tolerance(c))) continue;
         const double impulse = cone(c, f, 0, normal_force(c, f, c->k.event_mu) / c->h) * c->h;
         if (!(friction_force(c, f, c->k.mu, NULL) > 2.0 * impulse)) continue;
@@ -274,7 +275,7 @@ static void add_parting(const context *c, double *stop)
     double *part = c->k.free, lost = -mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop), given = 0.0, all = 0.0;
     memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)rows);
     memset(c->k.phi, 0, sizeof(double) * (size_t)rows);
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+    EACH_CONTACT(c, i) {
         const touch *x = touch_of(c, i);
         const int32_t row = row_of(c, c->m->contact_row[i]);
         const double weight = hm_square(x->rate) / c->number[c->m->row_sigma_at + row];
@@ -312,7 +313,7 @@ static int32_t hold(context *c, int slips_alone)
         status = factorise_at_state(c, NULL);
         if (!status && slips_alone) {
             memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
-            for (int32_t f = 0; f < c->m->n_frictions; f++)
+            EACH_FRICTION(c, f)
                 for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
                     c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
         }
@@ -343,7 +344,8 @@ static int32_t change_velocities(context *c)
         if (is_hit(c, island)) status = land(c, island);
     if (!status) status = hold(c, 0);
     if (!status && stop_reversed(c)) status = hold(c, 1);
-    for (int32_t i = 0; i < c->m->n_contacts && !status; i++)
+    if (status) return status;
+    EACH_CONTACT(c, i)
         if (is_closed(c, i) && gap_rate(c, i) > speed_tolerance(c)) open_contact(c, i);
     return status;
 }

@@ -309,7 +309,9 @@ HEAD = (
     "error_estimate",  # of the run, of steps under a tolerance
     "coarseness", "coarse_length",  # the largest over what is allowed, and the length of that step
     "events",  # of contacts, in the last step
-    "functions_known",  # 1: `functions` are those of contacts and frictions at the state
+    "functions_known",  # 1: `functions` are those of contacts and frictions at the state that are
+    # awake; 2: of those that sleep, too
+    "travel", "next_awake",  # so far, and the least of `asleep_until`, or 0, see far_contacts.h
     "shares",  # 1: what sticks shares its forces as rest_split.h tells, not as its rows do
     "stepped",  # whether a part of it was, see stepped.h
     "jams", "newton_impacts",  # impacts in it that jammed, and where Newton's law stood in for the
@@ -347,6 +349,7 @@ CONTACT = (
     "reference",  # gap at which it closed
     "parted",  # 1: the event at hand has opened it
     "impacts", "impulse",  # so far; their number, and the sum of their impulses [N s]
+    "asleep_until",  # travel; up to 0 it is awake, and that is less the gap that may let it sleep
 )
 """Scalars of each contact in the section `contacts` of a state."""
 
