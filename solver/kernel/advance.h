@@ -90,6 +90,23 @@ HM_SELDOM static void bend_input(const context *c, int32_t i, double step)
     c->s.inputs_third[i] = (first + last - 2.0 * mean) / (step * step);
 }
 
+/* A held input that changes with each communication step by nearly as much as in the step before, less than this part of the largest
+   change so far, is a sample of what is smooth: a controller's. That fades, and each step leaves so much of it. */
+#define SMOOTH 0.25
+#define REMEMBERED 0.98
+
+/* Whether held inputs that jump are such samples, with one internal step between them, of a pair or its covers: then the same halves
+   of internal steps follow a smooth course, too. */
+HM_SELDOM static int are_samples(const context *c, double step)
+{
+    if (c->s.head[S_SUBSTEPS] > (c->tolerance > 0.0 ? 6.0 : 2.0)) return 0;
+    for (int32_t i = 0; i < c->m->n_inputs; i++) {
+        const double slope = mean_slope(c, i, step), largest = fmax(fabs(slope), c->s.inputs_mean_before[i]);
+        if (c->m->input_course[i] == INPUT_HELD && !(fabs(slope - c->s.inputs_mean[i]) <= SMOOTH * largest)) return 0;
+    }
+    return 1;
+}
+
 /* After a step inputs are where they were to go, and smooth ones move on as fast, with the same acceleration. */
 HM_SELDOM static void end_inputs(context *c, double step)
 {
@@ -102,6 +119,9 @@ HM_SELDOM static void end_inputs(context *c, double step)
             c->s.inputs_mean[i] = mean_slope(c, i, step);
             c->s.inputs_bend[i] += 3.0 * step * c->s.inputs_third[i];
             c->s.inputs_third[i] = 0.0;
+        } else if (c->m->input_course[i] == INPUT_HELD) {
+            c->s.inputs_mean[i] = mean_slope(c, i, step);
+            c->s.inputs_mean_before[i] = fmax(fabs(c->s.inputs_mean[i]), REMEMBERED * c->s.inputs_mean_before[i]);
         }
         c->s.inputs_before[i] = c->s.inputs[i];
     }
@@ -149,10 +169,13 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */
     keep_state(&c, c.k.step_backup);
+    if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) {
+        c.samples = !is_unilateral(m) && are_samples(&c, step);
+        if (!c.samples) forget_halves(&c);
+    }
     head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = head[S_AS_PAIRS] = 0.0;
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;
     const double start = head[S_TIME];
-    if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_halves(&c);
     const int moved = move_inputs(&c);
     int32_t status = start_inputs(&c, step);
     set_laws(&c, start, 0);

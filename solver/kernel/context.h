@@ -35,6 +35,7 @@ typedef struct context {
     double theta;
     double weight[4], parabola[4]; /* of the last half steps in the prediction of this one, see predict.h       */
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
+    int samples;        /* whether held inputs have jumped by what samples of a smooth course do, see advance.h      */
     int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h                        */
     double *move;       /* increments of the unknowns: d, or those of a reduced step                          */
     int constraints_only;      /* 1: only the rows act                                                               */
@@ -284,7 +285,8 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->divided = c->sliding = c->soft = c->outside = c->together = c->gives_way = c->stepping = c->reads = c->foretells = c->n_pairs = c->n_secants = c->has_last = c->defers_friction = 0;
+    c->at_fault = c->samples = c->divided = c->sliding = c->soft = c->outside = c->together = c->gives_way = 0;
+    c->stepping = c->reads = c->foretells = c->n_pairs = c->n_secants = c->has_last = c->defers_friction = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
     c->may_rest = 0;

@@ -37,11 +37,10 @@ static void book_composites(context *c)
     for IN_ISLAND(c, j, ISLAND_ELEMENT) {
         const double damping = c->number[m->damping_at + j], drive = c->number[m->drive_at + j];
         if (damping == 0.0 && drive == 0.0) continue;
-        composite_slopes(c, j, SLOPES_ALONE, &result);
-        const double lost = damping * result.mechanical * result.mechanical / c->h;
+        const double elongation = c->k.elongation[j], lost = damping * elongation * elongation / c->h;
         book(c, S_DISSIPATED, lost);
         c->k.loss[j] += lost;
-        book(c, S_WORK, drive * result.mechanical);
+        book(c, S_WORK, drive * elongation);
     }
     EACH_COMPOSITE(c, j) {
         if (is_damped(c, j)) {

@@ -53,6 +53,12 @@ static void find_weights(const context *c, int n, double *weight)
    these leave undetermined (Bricard, 2e5 steps of 4.9 ms: 3e-14 of the energy, and 1e-15 with a parabola).       */
 static void set_weights(context *c)
 {
+    static const double by_pairs[4] = {0.0, 2.0, 0.0, -1.0};
+    if (c->samples) {
+        memcpy(c->weight, by_pairs, sizeof by_pairs);
+        memcpy(c->parabola, by_pairs, sizeof by_pairs);
+        return;
+    }
     find_weights(c, n_followed(c), c->weight);
     if (n_followed(c) > 3) find_weights(c, 3, c->parabola);
     else memcpy(c->parabola, c->weight, sizeof c->weight);

@@ -36,13 +36,15 @@ HM_SELDOM int32_t holonom_begin_moving_on(const holonom_model *m, double *number
     return status;
 }
 
-/* Changes of functions of rows by increments that were not solved for; where one has no value, none. */
-HM_SELDOM static void changes_of_rows(const context *c)
+/* Changes of elements and of functions of rows by increments that were not solved for; where one has no value, none. */
+HM_SELDOM static void changes_of_composites(const context *c)
 {
     EACH_COMPOSITE(c, j) {
         composite_result result = {0.0, 0.0, 0.0};
-        if (!is_row(c, j)) continue;
+        if (j >= first_potential(c)) continue;
         composite_slopes(c, j, SLOPES_ALONE, &result);
+        if (j < first_function(c)) c->k.elongation[j] = result.mechanical;
+        if (!is_row(c, j)) continue;
         c->k.change[row_of(c, j)] = result.change;
         c->k.moved[row_of(c, j)] = result.mechanical;
     }
@@ -68,7 +70,7 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
     extrapolate(&c, c.s.head[S_TIME], DIM * m->n_driven, c.s.driven_mean, c.s.driven_mean_before, driving);
     for (int32_t k = 0; k < DIM * m->n_driven; k++) driving[k] *= step;
     for (int64_t k = 0; k < n; k++) c.k.d[k] = step * (c.s.v[k] + 0.5 * step * c.s.a[0][k]);
-    changes_of_rows(&c);
+    changes_of_composites(&c);
     book_step(&c);
     for (int64_t k = 0; k < n; k++) {
         hm_add(c.s.q + k, c.s.q_low + k, c.k.d[k]);

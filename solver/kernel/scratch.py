@@ -29,6 +29,7 @@ WORK = {
     "phi0": "n_rows", "phi": "n_rows",  # at the beginning, and the function that shall vanish
     "lambda": "n_rows", "mu": "n_rows",  # multiplier held fixed, total multiplier
     "change": "n_rows", "moved": "n_rows",  # of a function in the step, and its part by quantities
+    "elongation": "n_elements",  # in the step
     "epsilon": "n_rows",  # compliance 2/alpha or 1/alpha
     "hv": "n", "w": "n", "d": "n",  # h v, unknown d - h v, increment d
     "momentum": "n",  # residual of the momentum balance

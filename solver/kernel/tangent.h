@@ -29,6 +29,19 @@ static const int32_t *scatter_block(const context *c, int32_t f, double factor, 
     return slot;
 }
 
+/* block += grad s_i(theta) (sum curve_ig grad s_g(end))' of form i. */
+HM_OFTEN void add_curves(const context *c, int32_t i, int32_t forms, int32_t size)
+{
+    const double *gradient = c->k.gradient + size * i;
+    int acts = 0;
+    for (int32_t k = 0; k < forms; k++) acts |= c->k.curve[forms * i + k] != 0.0;
+    for (int32_t b = 0; b < size && acts; b++) {
+        double *column = c->k.block + b, sum = 0.0;
+        for (int32_t k = 0; k < forms; k++) sum += c->k.curve[forms * i + k] * c->k.gradient_end[size * k + b];
+        for (int32_t a = 0; a < size && sum != 0.0; a++) column[size * a] += gradient[a] * sum;
+    }
+}
+
 /* block = sum curve_fg grad s_f(theta) grad s_g(end)' + theta sum slope_f H_f. */
 static void composite_stiffness(const context *c, int32_t j, int32_t size)
 {
@@ -38,14 +51,7 @@ static void composite_stiffness(const context *c, int32_t j, int32_t size)
     memset(c->k.block, 0, sizeof(double) * (size_t)(size * size));
     for (int32_t i = 0; i < forms; i++) {
         const int32_t f = m->composite_form[m->composite_form_ptr[j] + i], begin = m->form_ptr[f];
-        for (int32_t k = 0; k < forms; k++) {
-            const double curve = c->k.curve[forms * i + k];
-            if (curve == 0.0) continue;
-            for (int32_t a = 0; a < size; a++) {
-                const double x = curve * c->k.gradient[size * i + a];
-                for (int32_t b = 0; b < size; b++) c->k.block[size * a + b] += x * c->k.gradient_end[size * k + b];
-            }
-        }
+        add_curves(c, i, forms, size);
         const double factor = c->theta * c->k.slope[i];
         for (int32_t p = 0; p < m->form_free[f] && !(m->form_kind[f] & FORM_LINEAR); p++)
             for (int32_t q = 0; q < m->form_free[f]; q++) {
@@ -224,7 +230,7 @@ static int32_t add_composites(const context *c)
             factor *= c->k.mu[row];
             c->k.change[row] = result.change;
             c->k.moved[row] = result.mechanical;
-        }
+        } else if (j < first_function(c)) c->k.elongation[j] = result.mechanical;
         if (state == ROW_IS_SLIDING) {
             c->k.slip[row] = c->k.phi[row] / c->h;
             c->k.phi[row] = 0.0;

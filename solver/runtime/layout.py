@@ -446,8 +446,8 @@ STATE = {
     "inputs_before": "n_inputs",  # of those that move: at the start of the communication step
     "inputs_slope": "n_inputs",  # factors of powers of the time from there, or from the end, on
     "inputs_bend": "n_inputs", "inputs_third": "n_inputs",  # likewise
-    "inputs_mean": "n_inputs",  # of smooth ones: mean slope in the last communication step
-    "inputs_mean_before": "n_inputs",  # likewise: in the step before
+    "inputs_mean": "n_inputs",  # mean slope in the last communication step
+    "inputs_mean_before": "n_inputs",  # in the step before; of held ones: the largest, which fades
     "inputs_curve": "n_inputs",  # likewise: its change from the step before, over the time between
     "islands": f"{len(ISLAND)} * n_islands",  # `ISLAND` of each
     "parameters": "n_parameters",
