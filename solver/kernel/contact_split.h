@@ -94,7 +94,7 @@ HM_SELDOM static int collect_shared(const context *c, shared_forces *x)
         for (int k = 0; k < slips; k++) add_unit(x, slip_row(c, f, k), 1.0);
         x->joints++;
     }
-    return x->split.contacts > 0;
+    return x->split.contacts > 1 || (x->split.contacts && c->may_share);
 }
 
 /* What the limit of friction f, less its preload, is with multipliers mu if the forces that press have the directions of

@@ -47,6 +47,7 @@ typedef struct context {
     int soft;           /* whether the tangent leaves out how forces of sliding frictions turn with the place          */
     int outside;        /* whether forces as the half steps tell them are outside the cones of contacts at rest        */
     int together;       /* whether functions of event.h are those of contacts that stick together                    */
+    int may_share;      /* whether rows may depend on each other, by the forces evaluated last                        */
     int gives_way;      /* whether the event at hand is that these hold no longer                                  */
     int reads;          /* whether laws read the increment that is solved for, see inputs_signals.h          */
     int foretells;      /* whether they read a prediction of it, since it had no solution                           */
@@ -285,7 +286,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->samples = c->divided = c->sliding = c->soft = c->outside = c->together = c->gives_way = 0;
+    c->at_fault = c->samples = c->divided = c->sliding = c->soft = c->outside = c->together = c->may_share = c->gives_way = 0;
     c->stepping = c->reads = c->foretells = c->n_pairs = c->n_secants = c->has_last = c->defers_friction = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;

@@ -396,12 +396,11 @@ static double left_by_updates(const context *c)
     return size2 > 0.0 ? sqrt(left2 / size2) : 0.0;
 }
 
-/* Whether a row's pivot is no more than a hundred times that of a dependent row, epsilon. */
-static int has_small_pivot(const context *c)
+/* Whether a row's pivot, by factors lu at the state, is no more than a hundred times that of a dependent row, epsilon. */
+static int has_small_pivot(const context *c, const holonom_elimination *lu)
 {
     EACH_ROW(c, i)
-        if (state_of_multiplier(c, i) == ROW_IS_ON &&
-            !(fabs(inverse_pivot(c, i)) < 1e6 / c->number[c->m->row_sigma_at + i]))
+        if (state_of_multiplier(c, i) == ROW_IS_ON && !(fabs(c->k.value[lu->lu_ptr[lu->row_position[i]]]) < 1e6 / c->number[c->m->row_sigma_at + i]))
             return 1;
     return 0;
 }
@@ -431,7 +430,7 @@ static void judge_rows(const context *c, double *mu)
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
         const double left = fails ? 1.0 : left_by_updates(&rows);
-        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows))) {
+        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows, rows.lu))) {
             rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
             if (!fails && mu) leave_undetermined(&rows, mu, 0);
         } else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left);
