@@ -357,11 +357,12 @@ HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *
         if (status) return status;
         equations_of_split(x, s);
         *size = forces_to_split(c, x, c->k.event_mu);
+        if (s->rank == s->rows) return HOLONOM_OK; /* there is one split */
         before = *least;
         if (load) *least = *size > 0.0 ? load_factor(s, above) : 0.0;
         if (load && *least > 1.0 + CONE_MARGIN && has_split(s, 1.0 - WELL_INSIDE)) *least = 1.0; /* forces near LARGEST_SPLIT */
         *inside = load ? *least <= 1.0 + CONE_MARGIN : is_held_together(c, s);
-        if (s->rank == s->rows || *inside || !x->joints || time == MOST_DIRECTIONS) return HOLONOM_OK;
+        if (*inside || !x->joints || time == MOST_DIRECTIONS) return HOLONOM_OK;
         if (!load) *least = load_factor(s, above);
         if (!(*least < before * (1.0 - LOAD_ACCURACY)) || !has_split(s, *least)) return HOLONOM_OK;
         memcpy(c->k.rest_mu, c->k.event_mu, sizeof(double) * (size_t)c->m->n_rows);

@@ -19,7 +19,7 @@
 #include <string.h>
 #include <sys/time.h>
 
-enum { MOST_MODELS = 16, STEPS = 3, MOST_VALUES = 2000, CPU_LIMIT = 20, CHECKED_FROM = offsetof(hm_header, abi) };
+enum { MOST_MODELS = 16, STEPS = 3, MOST_VALUES = 2000, CPU_LIMIT = 60, CHECKED_FROM = offsetof(hm_header, abi) };
 /* A state: that of the slave, its head and the numbers; its two checksums, and what each is of (slave_states.c, instance.c). */
 enum { KEPT = 48, KEPT_CHECKSUM = 8, KEPT_CHECKED = 12, SAVED_CHECKSUM = 56, SAVED_HEAD = 64 };
 
