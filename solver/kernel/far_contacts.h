@@ -21,6 +21,8 @@
 #define FALLS_ASLEEP 8.0
 #define TRAVEL_ROUND_OFF 1e-15
 
+enum { WORTH_SLEEP = 8 }; /* contacts: to look at fewer costs less than to follow the travel (one bouncing ball: 10 % of a step) */
+
 static inline int is_asleep(const context *c, int32_t i) { return contact_of(c, i)[C_ASLEEP_UNTIL] > 0.0; }
 
 static inline int some_sleep(const context *c) { return c->s.head[S_NEXT_AWAKE] > 0.0; }
@@ -261,7 +263,7 @@ static void look_far(context *c, double travel, double *value, double *rate)
     double *head = c->s.head, next = INFINITY;
     int changes = 0;
     c->may_rest = 0;
-    if (!hm_skips(SKIP_FAR_CONTACTS) || c->tolerance > 0.0) return;
+    if (!hm_skips(SKIP_FAR_CONTACTS) || c->tolerance > 0.0 || n_contacts(c->m) < WORTH_SLEEP) return;
     for (int32_t i = 0; i < n_contacts(c->m); i++) {
         double *until = contact_of(c, i) + C_ASLEEP_UNTIL;
         const int slept = is_asleep(c, i);

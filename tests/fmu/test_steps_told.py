@@ -60,7 +60,7 @@ CASES = [
         "conserving steps of order 8, of at most 0.01 s",
     ),
     (KINKED, {"method": "fastest"}, f"conserving steps, {CHOSEN} 0.0001"),
-    (BALL, {"method": "fastest"}, f"conserving steps, {CHOSEN} 0.0001"),
+    (BALL, {"method": "fastest"}, f"explicit and conserving steps, {CHOSEN} 0.0001"),
     (
         BALL,
         {"contact_mode": "stepped", "tolerance": 1e-5},

@@ -37,13 +37,26 @@ def motion(run: Integrator) -> bytes:
     return np.concatenate([*parts, contacts(run)[:, :UNTIL].ravel(), ledger]).tobytes()
 
 
+CEILINGS = 7
+"""More contacts than the floor's: of few ones none sleeps."""
+
+
+def below_ceilings(content: Content, point: str) -> Content:
+    """The scene, with ceilings that its point never reaches."""
+    far = {"type": "plane", "axis": [0, -1], "position": [0, 60], "point": point}
+    return content | {
+        "contacts": content["contacts"] | {f"ceiling_{k}": far for k in range(CEILINGS)}
+    }
+
+
 def falling(height: float, **fields: object) -> Content:
     """A point above a floor."""
-    return {
+    content = {
         "name": "falling", "dimension": 2, "gravity": [0, -9.81],
         "points": {"p": {"position": [0, height], "mass": 1.0}},
         "contacts": {"floor": {"type": "plane", "point": "p", "axis": [0, 1]} | fields},
     }  # fmt: skip
+    return below_ceilings(content, "p")
 
 
 def above_a_floor(friction: float) -> Content:
@@ -59,10 +72,11 @@ def spinning() -> Content:
     ends = {"left": [-1, 0], "right": [1, 0]}
     body = {"position": [0, 30], "mass": 1.0, "inertia": 0.3, "angular_velocity": 2, "points": ends}
     floor = {"type": "plane", "axis": [0, 1], "restitution": 0.5, "friction": 0.3}
-    return {
+    content = {
         "name": "spinning", "dimension": 2, "gravity": [0, -9.81], "bodies": {"rod": body},
         "contacts": {end: floor | {"point": f"rod.{end}"} for end in ends},
     }  # fmt: skip
+    return below_ceilings(content, "rod.left")
 
 
 def kicked() -> Content:
@@ -77,7 +91,7 @@ SCENES = {"spinning": spinning, "falling": lambda: falling(3.0, restitution=0.5)
 
 @needs_compiler
 @pytest.mark.parametrize("mode", ["located", "stepped"])
-@pytest.mark.parametrize("name", [*SCENES, "dominoes", "pile_of_discs", "falling_chain"])
+@pytest.mark.parametrize("name", [*SCENES, "dominoes", "pile_of_discs"])
 def test_sleep_changes_no_bit_of_the_motion(name, mode):
     if name in SCENES:
         model, h, steps = assemble(SCENES[name]()), 0.01, 280
@@ -109,7 +123,7 @@ def test_a_point_that_falls_from_far_hits_when_it_should():
     while contacts(run)[0, CONTACT.index("impacts")] == 0.0:
         slept = n_asleep(run)
         run.advance(run.time, 0.01)
-    assert slept == 0
+    assert slept == CEILINGS
     fall = math.sqrt(2 * 20.0 / 9.81)
     after = run.time - fall
     speed = 0.5 * 9.81 * fall
@@ -121,7 +135,7 @@ def test_a_gap_that_is_read_is_the_present_one_while_its_contact_sleeps():
     run = start(falling(20.0), h=0.01)
     for _ in range(100):
         run.advance(run.time, 0.01)
-    assert n_asleep(run) == 1
+    assert n_asleep(run) == 1 + CEILINGS
     assert run["floor.gap"] == pytest.approx(20.0 - 0.5 * 9.81 * run.time**2, abs=1e-11)
 
 

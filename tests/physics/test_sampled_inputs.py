@@ -1,4 +1,4 @@
-"""Held inputs that a controller samples: what half steps cost that follow them, and what they err by."""
+"""Held inputs that a controller samples: the cost and the errors of steps that follow them."""
 
 from __future__ import annotations
 
