@@ -218,7 +218,7 @@ HM_OFTEN void pass_back(const int32_t *op, int32_t at, const hm_registers *r)
     for (int k = 1; k < 3 && reads_grid(op[0]); k++) r->adjoint[first + k] += adjoint * slope[k];
 }
 
-#define MANY_REGISTERS 32 /* for which a call of memset pays */
+#define MANY_REGISTERS 8 /* for which a call of memset pays */
 
 HM_OFTEN void start_adjoints(int32_t count, const hm_registers *r)
 {
