@@ -109,7 +109,10 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     double load = INFINITY;
     enum togetherness how = NOT_TOGETHER;
     if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
-    else if (has_shares(c)) status = share_means(c);
+    else if (has_shares(c)) {
+        status = share_means(c);
+        if (!status) status = evaluate_forces(c); /* which the means have overwritten */
+    }
     if (how != NOT_TOGETHER) value_together(c, x, load);
     return status;
 }
@@ -414,7 +417,7 @@ HM_SELDOM static int32_t stop_slip(context *c, int32_t f)
     let_stick(c, f);
     const int32_t status = find_disallowed(c);
     if (status) return status;
-    for (int32_t i = 0; i < c->m->n_rows; i++) taken += 0.5 * c->k.mu[i] * c->k.phi[i];
+    EACH_ROW(c, i) taken += 0.5 * c->k.mu[i] * c->k.phi[i];
     if (slip > speed_tolerance(c) && taken * -growth > FAR_MORE * 0.5 * force * slip * slip) friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
     else take_disallowed(c, S_FRICTION);
     return HOLONOM_OK;
@@ -592,7 +595,7 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
         status = event_functions(c, high);
         if (!status) status = find_event(c, t, law_time, h, covered);
         follow_travel(c, start_of_piece(c));
-    } else if (c->may_rest || (c->near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach))) {
+    } else if (asks_for_far(c, reach)) {
         look_far(c, reach, high.value, high.rate);
     }
     return !status && !friction_takes_energy(c) ? HOLONOM_CONTACT_UNDECIDED : status;

@@ -30,6 +30,12 @@ static inline int some_sleep(const context *c) { return c->s.head[S_NEXT_AWAKE] 
 /* Travel that is left until the first contact might touch. */
 static inline double travel_left(const context *c) { return c->s.head[S_NEXT_AWAKE] - c->s.head[S_TRAVEL]; }
 
+/* Whether a piece of this travel may bring a contact near that sleeps, or contacts may fall asleep. */
+static inline int asks_for_far(const context *c, double reach)
+{
+    return c->may_rest || (c->near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach));
+}
+
 /* Wakes all contacts for good. */
 static void wake_all(context *c)
 {

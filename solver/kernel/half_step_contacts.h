@@ -75,7 +75,7 @@ static double way_of_fall(const context *c, double h) { return 3.0 * h * h * lar
 static void look_far_in_step(context *c, double h)
 {
     const double reach = way_at_speed(c, h) + way_of_fall(c, h);
-    if (c->may_rest || !(travel_left(c) > WAKES * reach) || !c->near[NEAR_CONTACTS]) look_far(c, reach, NULL, NULL);
+    if (asks_for_far(c, reach)) look_far(c, reach, NULL, NULL);
 }
 
 /* Gaps and slips at the start of a half step of length h, and a first choice: what was closed stays so, what is reached

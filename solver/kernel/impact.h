@@ -88,7 +88,7 @@ HM_SELDOM static double loss_rate(const context *c, const hit *x)
 {
     double sum = 0.0;
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
-    for (int32_t i = 0; i < c->m->n_rows; i++) sum += c->k.mu[i] * c->k.row_rate[i];
+    EACH_ROW(c, i) sum += c->k.mu[i] * c->k.row_rate[i]; /* rates of rows at hand alone are written */
     for (int32_t r = 0; r < x->law.rows; r++)
         if (x->row[r] >= 0) sum -= x->law.impulse[r] * rate_of_row(c, x->row[r]);
     return sum;

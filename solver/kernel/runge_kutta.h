@@ -19,7 +19,8 @@ enum { MOST_PASSES = 8 };
 #define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
 #define LARGEST_DIFFERENCE 1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
 #define AIMED_DIFFERENCE 5e-4   /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked for more steps */
-#define IMPACTS_GROW 10.0       /* times, an error by the impacts of a mechanism: explicit steps are no nearer than they tell */
+/* Impacts multiply errors of the motion before them; explicit steps have no margin for that, so that each error counts so many times. */
+#define IMPACTS_GROW 10.0
 #define MOST_HELD 3.0           /* steps in a row that could not be put back: then compositions serve for good */
 
 /* Whether a model allows explicit steps: put_back brings rows and energy back, and laws tell their powers at any moment. */
@@ -343,7 +344,7 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     int32_t status = keep_explicit_start(c, at);
     keep_motion(c, h);
     c->balanced = 0.0;
-    c->growth = is_unilateral(c->m) ? IMPACTS_GROW : 1.0;
+    c->growth = n_contacts(c->m) ? IMPACTS_GROW : 1.0;
     at->n_pairs = 0;
     if (!status) status = take_stages(at, x, h);
     c->n_pairs = at->n_pairs;

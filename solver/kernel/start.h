@@ -450,12 +450,12 @@ HM_SELDOM static int has_sliding_joint(const context *c)
 /* Whether a refinement has changed multipliers mu, to which it has been added, by rounding alone. */
 HM_SELDOM static int is_refined(const context *c, const double *mu)
 {
-    double most = 0.0, change = 0.0;
+    double size2 = 0.0, change2 = 0.0; /* sums, which hand on what is no number */
     for (int32_t i = 0; i < c->m->n_rows; i++) {
-        most = fmax(most, c->number[c->m->row_sigma_at + i] * mu[i] * mu[i]);
-        change = fmax(change, c->number[c->m->row_sigma_at + i] * c->k.mu[i] * c->k.mu[i]);
+        size2 += c->number[c->m->row_sigma_at + i] * mu[i] * mu[i];
+        change2 += c->number[c->m->row_sigma_at + i] * c->k.mu[i] * c->k.mu[i];
     }
-    return change <= REFINED * REFINED * most;
+    return change2 <= REFINED * REFINED * size2;
 }
 
 /* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined with the factors

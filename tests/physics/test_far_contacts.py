@@ -140,10 +140,11 @@ def test_a_gap_that_is_read_is_the_present_one_while_its_contact_sleeps():
 
 
 def test_a_state_that_is_set_again_goes_on_as_it_did():
-    # From asleep back to asleep over an impact, and from awake to awake.
+    # From asleep back to asleep, over an impact.
     run = start(falling(1.0, restitution=0.8), h=0.01)
     for _ in range(10):
         run.advance(run.time, 0.01)
+    assert n_asleep(run) == 1 + CEILINGS
     far = list(run.state.block)
     ends = []
     for _ in range(2):
@@ -152,3 +153,17 @@ def test_a_state_that_is_set_again_goes_on_as_it_did():
         ends.append(motion(run))
         run.state.block[:] = far
     assert ends[0] == ends[1]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_scratch_filled_with_nan_changes_nothing_while_contacts_sleep(name):
+    settings = {"tolerance": 0.0, "step_size": 0.01, "contact_mode": "stepped"}
+    clean, spoilt = (start(SCENES[name](), **settings) for _ in range(2))
+    slept = 0
+    for _ in range(280):
+        np.asarray(memoryview(spoilt.work).cast("B").cast("d"))[:] = np.nan
+        clean.advance(clean.time, 0.01)
+        spoilt.advance(spoilt.time, 0.01)
+        assert motion(clean) == motion(spoilt)
+        slept += n_asleep(clean)
+    assert slept > 0
