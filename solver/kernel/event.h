@@ -188,6 +188,18 @@ static int is_quiet_slip(double h, double v0, double r0, double v1, double *rate
     return lesser > 0.0 && lowest > SAFE_SLIP * lesser && v1 > -FORESEEN * h * *rate;
 }
 
+/* Rates of open gaps where a quiet piece ends: under a tolerance the next one may be far longer, and a gap may close and open in it. */
+static void find_gap_rates(context *c, event_values x)
+{
+    int is_evaluated = 0;
+    EACH_CONTACT(c, i) {
+        if (is_closed(c, i)) continue;
+        if (!is_evaluated) evaluate_state(c);
+        is_evaluated = 1;
+        x.rate[i] = gap_rate(c, i);
+    }
+}
+
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
    two means extrapolate; `reach` are SAFE_WAYS of the fastest node. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
 static int is_quiet(context *c, double h, double reach, event_values low, event_values x)
@@ -232,7 +244,9 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
         }
     }
     int32_t which;
-    return find_dip(c, c->t - h, h, low, x, &which) == 0.0;
+    if (find_dip(c, c->t - h, h, low, x, &which) != 0.0) return 0;
+    if (c->tolerance > 0.0) find_gap_rates(c, x);
+    return 1;
 }
 
 enum { BISECTIONS = 60 }; /* more than a double has bits */

@@ -320,7 +320,8 @@ class TangentPattern:
         of, n = np.array(self.of, dtype=np.int64), len(self.block_sizes)
         x, y = of[pairs.a], of[pairs.b]
         if (x < 0).any() or (y < 0).any():
-            raise ValueError("a row that needs no block of its own is coupled to others")
+            msg = "a row that needs no block of its own is coupled to others"
+            raise ValueError(msg)
         keys = 2 * (n * x + y) + ((pairs.how != EQUAL) | self._turns(pairs))
         keys = np.sort(keys[x <= y])
         keys = keys[np.append(keys[1:] // 2 != keys[:-1] // 2, True)[: len(keys)]]
