@@ -101,18 +101,18 @@ gravity = [0, 0]
 A = {{ position = [-5, {offset}], velocity = [10, 0], mass = 1.0 }}
 B = {{ position = [0, 0], mass = 2.0 }}
 [contacts]
-pair = {{ type = "sphere", points = ["A", "B"], radii = [0.1, 0.1], restitution = 1.0 }}
+pair = {{ type = "sphere", points = ["A", "B"], radii = [0.1, 0.1], restitution = 1 }}
 """
 
 
 @pytest.mark.parametrize("settings", SETTINGS, ids=str)
 @pytest.mark.parametrize("offset", [0.0, 0.02, 0.1, 0.19])
 def test_a_disc_that_flies_through_another_one_in_one_step_hits_it(offset, settings):
-    """Its tangents follow from the speed along the line of centres, which an elastic impact turns."""
+    """An elastic impact takes 4/3 of the speed of approach from A, along the line of centres."""
     run = start(solver.assemble(solver.loads(PASSING.format(offset=offset))), **settings)
     run.advance(0.0, STEP)
     across = offset / 0.2
     along = -((1 - across**2) ** 0.5)
-    change = 2 * 2.0 / 3.0 * 10 * along  # of A, away from B: 2 m_B/(m_A + m_B) times the approach
+    change = 2 * 2.0 / 3.0 * 10 * along  # 2 m_B/(m_A + m_B) times the speed of approach
     assert run["A.vx"] == pytest.approx(10 + change * -along, abs=1e-9)
     assert run["A.vy"] == pytest.approx(-change * across, abs=1e-9)
