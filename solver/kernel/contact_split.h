@@ -345,9 +345,10 @@ HM_SELDOM static void press_as(const context *c, const shared_forces *x, int32_t
 }
 
 /* Seeks a split, and with `load` or joints the least factor of all coefficients with which there is one (in `least`, above 1 with the
-   accuracy `above`); the size of its forces. Forces that press joints turn as they are shared, which a split with that factor tells: with their new directions limits are no
-   less than before. */
-HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *load, double above, int *inside, double *least, double *size)
+   accuracy `above`); the size of its forces. Forces that press joints turn as they are shared, which a split with that factor tells:
+   with their new directions limits are no less than before. */
+HM_SELDOM static int32_t seek_split(context *c, shared_forces *x, const double *load, double above, int *inside, double *least,
+                                    double *size)
 {
     rest_split *s = &x->split;
     double before;

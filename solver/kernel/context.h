@@ -46,7 +46,7 @@ typedef struct context {
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
     int soft;           /* whether the tangent leaves out how forces of sliding frictions turn with the place          */
     int outside;        /* whether forces as the half steps tell them are outside the cones of contacts at rest        */
-    int together;       /* whether functions of event.h are those of contacts that stick together                    */
+    int together;       /* whether functions of events are those of contacts that stick together                    */
     int may_share;      /* whether rows may depend on each other, by the forces evaluated last                        */
     int gives_way;      /* whether the event at hand is that these hold no longer                                  */
     int reads;          /* whether laws read the increment that is solved for, see inputs_signals.h          */
@@ -58,7 +58,7 @@ typedef struct context {
     int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
     double unsettled;   /* size of the step's last increment over its length [kg^1/2 m/s]; infinite before the first one */
     int defers_friction; /* whether frictions of contacts act at the end of a half step alone, see stepped.h      */
-    int32_t n_pairs;    /* pairs of half steps of the cover or composition at hand whose means are kept       */
+    int32_t n_kept_forces; /* times within the step at hand of which multipliers are kept, see keep_forces                 */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0; see fault.h */
@@ -88,7 +88,7 @@ typedef struct context {
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
     const int32_t *near[NEAR_LISTS]; /* of each index the first one from it on that is near; NULL: all are         */
-    int may_rest;       /* whether a contact that is awake is far enough to sleep, see far_contacts.h            */
+    int may_fall_asleep;       /* whether a contact that is awake is far enough to sleep, see far_contacts.h            */
     double stop;        /* next time at which a switch changes, infinite without one; NaN: not known            */
     double pause;       /* time after which a switch that changes again does not go forth and back without end  */
     double switched;    /* when switches last changed, and how often in turn without a pause                   */
@@ -287,10 +287,10 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
     c->at_fault = c->samples = c->divided = c->sliding = c->soft = c->outside = c->together = c->may_share = c->gives_way = 0;
-    c->stepping = c->reads = c->foretells = c->n_pairs = c->n_secants = c->has_last = c->defers_friction = 0;
+    c->stepping = c->reads = c->foretells = c->n_kept_forces = c->n_secants = c->has_last = c->defers_friction = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
-    c->may_rest = 0;
+    c->may_fall_asleep = 0;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);
     c->factors_lu = c->secants_lu = c->lu;

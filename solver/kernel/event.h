@@ -1,136 +1,12 @@
 /* Events: steps with contacts as they are, cut where a gap closes, a normal force vanishes, slip stops or friction gives way.
 
-   Each contact and each friction has a function of the state that is positive as long as its mode holds. After a step the
-   earliest zero of these is sought by the cubics through their values and rates at both ends; every trial is the whole
-   step anew, of the length tried, so that an accepted one is a step like any other.                              */
+   After a step the earliest zero of the functions of contacts and frictions (event_functions.h) is sought by the cubics through
+   their values and rates at both ends (event_roots.h); every trial is the whole step anew, of the length tried, so that an accepted
+   one is a step like any other.                                                                                  */
 #ifndef HOLONOM_EVENT_H
 #define HOLONOM_EVENT_H
 
-#include "contact_modes.h"
-#include "far_contacts.h"
-#include "force_dips.h"
-#include "short_piece.h"
-
-/* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
-typedef struct event_values {
-    double *value, *rate;
-} event_values;
-
-static inline event_values values_at(const context *c, int which)
-{
-    const int64_t n = c->m->n_contacts + c->m->n_frictions;
-    return (event_values){c->k.event + 2 * n * which, c->k.event + 2 * n * which + n};
-}
-
-static inline void copy_values(const context *c, event_values from, event_values to)
-{
-    memcpy(to.value, from.value, sizeof(double) * (size_t)(2 * (c->m->n_contacts + c->m->n_frictions)));
-}
-
-/* The first function from k on of a contact or friction that is near. */
-static inline int32_t next_function(const context *c, int32_t k)
-{
-    const int32_t n = c->m->n_contacts;
-    if (k < n && (k = next_near(c, NEAR_CONTACTS, k)) < n) return k;
-    return n + next_near(c, NEAR_FRICTIONS, k - n);
-}
-
-static int has_closed(const context *c)
-{
-    EACH_CONTACT(c, i) if (is_closed(c, i)) return 1;
-    return 0;
-}
-
-/* Whether a contact or friction is on, so that its function needs forces. */
-static int has_forces(const context *c)
-{
-    if (has_closed(c)) return 1;
-    EACH_FRICTION(c, f) if (friction_mode(c, f) != FRICTION_OFF && !is_smooth(c, f)) return 1;
-    return 0;
-}
-
-/* Slip of friction f at the state, along the direction in which it slides. */
-static double slip_along(const context *c, int32_t f)
-{
-    double slip[3], sum = 0.0;
-    slip_rates(c, f, slip);
-    for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * slip[k];
-    return sum;
-}
-
-/* Where contacts and joints hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1
-   less the least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
-#define SURELY 1e-3 /* of the largest normal force: a function that does not become 0                                 */
-
-HM_SELDOM static void value_together(context *c, event_values x, double load)
-{
-    const int32_t n = c->m->n_contacts;
-    const double largest = SURELY * largest_normal(c, c->k.event_mu);
-    c->together = 1;
-    for (int32_t i = 0; i < n; i++)
-        if (is_closed(c, i)) x.value[i] = fmax(x.value[i], largest);
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        if (!is_stuck(c, f)) continue;
-        const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
-        x.value[n + f] = (1.0 + CONE_MARGIN - load) * (is_of_contact(c, f) ? fmax(limit, largest) : limit);
-    }
-}
-
-/* Whether the forces that are shared have left their cones, by more than rounding. */
-HM_SELDOM static int is_outside(const context *c)
-{
-    const double none = CONE_MARGIN * largest_normal(c, c->k.event_mu);
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (is_closed(c, i) && normal_of(c, i) < -none) return 1;
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        if (!is_stuck(c, f)) continue;
-        if (excess_of(c, f) > (is_of_contact(c, f) ? none : CONE_MARGIN * cone(c, f, 0, normal_force(c, f, c->k.event_mu)))) return 1;
-    }
-    return 0;
-}
-
-/* The functions at the present state. */
-HM_SELDOM static int32_t event_functions(context *c, event_values x)
-{
-    const holonom_model *m = c->m;
-    evaluate_state(c);
-    int32_t status = has_forces(c) ? evaluate_forces(c) : HOLONOM_OK;
-    c->together = 0;
-    for (int32_t i = 0; i < m->n_contacts && !status; i++) {
-        x.value[i] = is_closed(c, i) ? force_margin(c, i, c->k.event_mu) : gap_of(c, i);
-        x.rate[i] = is_closed(c, i) ? NAN : gap_rate(c, i);
-    }
-    for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions && !status; f++, k++) {
-        const int mode = friction_mode(c, f);
-        x.value[k] = force_margin(c, k, c->k.event_mu), x.rate[k] = NAN;
-        if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
-    }
-    if (status || !has_forces(c)) return status;
-    double load = INFINITY;
-    enum togetherness how = NOT_TOGETHER;
-    if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
-    else if (has_shares(c)) {
-        status = share_means(c);
-        if (!status) status = evaluate_forces(c); /* which the means have overwritten */
-    }
-    if (how != NOT_TOGETHER) value_together(c, x, load);
-    return status;
-}
-
-/* Largest square of the vectors x of the moving nodes; directors count times the size of the mechanism. */
-static double largest_square(const context *c, const double *x)
-{
-    const double extent = c->number[c->m->extent_at];
-    double largest = 0.0;
-    for (int32_t a = 0; a < c->n_moving; a++) {
-        const double *own = x + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
-        largest = fmax(largest, size * size * dot(own, own));
-    }
-    return largest;
-}
-
-/* Speed of the fastest node; no gap grows much faster. */
-static double fastest_node(const context *c) { return sqrt(largest_square(c, c->s.v)); }
+#include "event_roots.h"
 
 /* A normal force above this part of its mean and of what it was at the start of the piece, and a friction that leaves this part of
    its cone, change no mode in the piece: forces at the state need not be evaluated. */
@@ -147,15 +23,6 @@ static int forces_stand_still(const context *c)
     for (int32_t i = 0; i < c->m->n_rows; i++)
         if (!(fabs(c->s.mean[i] - c->s.mean_before[i]) <= none)) return 0;
     return 1;
-}
-
-/* Values of function k from minus this to this count as zero. */
-HM_SELDOM static double value_tolerance(const context *c, int32_t k)
-{
-    const int32_t f = k - c->m->n_contacts;
-    if (f < 0) return is_closed(c, k) ? force_tolerance(c) : 1e-15 * c->number[c->m->extent_at];
-    if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
-    return 1e-3 * speed_tolerance(c);
 }
 
 /* Where in a piece of length h from time t a force falls below the part of its larger value at both ends that is safe, and that of which
@@ -175,8 +42,8 @@ static double find_dip(const context *c, double t, double h, event_values low, e
 }
 
 /* Whether a slip in space has not stopped in a piece of length h, at whose start it was v0, with the rate r0, and at whose end it is v1:
-   the parabola through these keeps a good part of the lesser one, and a slip that stops in a piece like this one is foreseen by its
-   rate at the end (overwritten; the mean on entry), of which half would do. */
+   the parabola through these keeps a good part of the lesser one. `rate` is the mean rate on entry and that at the end on return, by
+   which a stop within two more pieces is foreseen. */
 #define SAFE_SLIP 0.5
 #define FORESEEN 2.0
 
@@ -201,7 +68,8 @@ static void find_gap_rates(context *c, event_values x)
 }
 
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
-   two means extrapolate; `reach` are SAFE_WAYS of the fastest node. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
+   two means extrapolate; `reach` are SAFE_WAYS of the fastest node. Returns 0, with x not to be used, if that leaves doubt whether an
+   event has passed.                                                                                              */
 static int is_quiet(context *c, double h, double reach, event_values low, event_values x)
 {
     const holonom_model *m = c->m;
@@ -222,7 +90,7 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
             x.value[i] = normal_of(c, i);
             if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i]))) return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
-        else c->may_rest |= may_rest(c, i, x.value[i]);
+        else c->may_fall_asleep |= is_far_enough(c, i, x.value[i]);
     }
     EACH_FRICTION(c, f) {
         const int mode = friction_mode(c, f);
@@ -249,60 +117,6 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
     return 1;
 }
 
-enum { BISECTIONS = 60 }; /* more than a double has bits */
-
-/* Where in (0, 1] the cubic with these ends and slopes becomes negative, or infinity; a start below 0 counts as 0. */
-HM_SELDOM static double cubic_root(double v0, double r0, double v1, double r1)
-{
-    const double b = 3.0 * (v1 - v0) - 2.0 * r0 - r1, a = 2.0 * (v0 - v1) + r0 + r1;
-    double end[4] = {0.0, 1.0, 1.0, 1.0}; /* of pieces without extremum */
-    const double square = b * b - 3.0 * a * r0;
-    int pieces = 0;
-    if (square > 0.0) {
-        const double q = -(b + copysign(sqrt(square), b)), s[2] = {q != 0.0 ? r0 / q : 2.0, a != 0.0 ? q / (3.0 * a) : 2.0};
-        const int later = s[1] < s[0];
-        for (int i = 0; i < 2; i++)
-            if (s[later ? 1 - i : i] > 0.0 && s[later ? 1 - i : i] < 1.0) end[++pieces] = s[later ? 1 - i : i];
-    }
-    for (int i = 0; i <= pieces; i++) {
-        double low = end[i], high = i == pieces ? 1.0 : end[i + 1];
-        if (!(v0 + high * (r0 + high * (b + high * a)) < 0.0)) continue;
-        if (i == 0 && v0 <= 0.0 && r0 <= 0.0) return 0.0;
-        for (int k = 0; k < BISECTIONS; k++) {
-            const double s = 0.5 * (low + high);
-            if (v0 + s * (r0 + s * (b + s * a)) < 0.0) high = s;
-            else low = s;
-        }
-        return high;
-    }
-    return INFINITY;
-}
-
-/* Where in (0, 1) the cubic with these ends and slopes, the first one negative and the last one positive, is lowest. */
-HM_SELDOM static double lowest_of_cubic(double v0, double r0, double v1, double r1)
-{
-    const double b = 3.0 * (v1 - v0) - 2.0 * r0 - r1, a = 2.0 * (v0 - v1) + r0 + r1;
-    return -r0 / (b + sqrt(b * b - 3.0 * a * r0));
-}
-
-/* Estimate of where in (0, h] function k becomes negative, or infinity. A distance has a kink where the ball passes through: its tangents
-   meet below 0, and the first trial is there. Tangents of a function that only comes close meet above 0 once its lowest place is
-   known well, which is where the `next` trials are. */
-HM_SELDOM static double root_between(const context *c, int32_t k, double h, int next, event_values low, event_values high)
-{
-    const double none = value_tolerance(c, k), v0 = fmax(low.value[k], 0.0), v1 = high.value[k];
-    double r0 = h * low.rate[k], r1 = h * high.rate[k];
-    if (!(v0 < INFINITY && v1 < INFINITY)) return INFINITY;
-    if (r0 == r0 && r1 == r1) {
-        if (v0 <= none && fabs(r0) <= none) r0 = 0.0;
-        if (v1 >= -none && !(r0 < 0.0 && r1 > 0.0)) return INFINITY;
-        const double root = h * cubic_root(v0, r0, v1, r1), touch = (v0 - v1 + r1) / (r1 - r0);
-        if (root <= h || v1 < -none) return root;
-        return v0 + r0 * touch < -none ? h * (next ? lowest_of_cubic(v0, r0, v1, r1) : touch) : INFINITY;
-    }
-    return v1 < -none ? h * v0 / (v0 - v1) : INFINITY;
-}
-
 /* A piece of length h. */
 static int32_t step_piece(context *c, double h)
 {
@@ -313,45 +127,6 @@ static int32_t step_piece(context *c, double h)
 static const double *start_of_piece(const context *c) { return c->divided ? c->k.event_backup : c->k.pair_backup; }
 
 HM_SELDOM static void undo_piece(context *c, double t, double law_time) { restore_state(c, start_of_piece(c), t, law_time); }
-
-enum { AT_LOW, AT_HIGH, AT_TRIAL };
-
-#define NOT_A_NUMBER_IN_STATE 1e300 /* a state is finite: of values this is infinity, of rates that none is known */
-
-/* The functions at the start of a communication step: those at the end of the last one, unless rates of inputs may have jumped since,
-   or forces are asked for where the first piece begins. */
-static int32_t take_functions(context *c, int inputs_move)
-{
-    const event_values low = values_at(c, AT_LOW);
-    const int asks_forces = c->s.head[S_ORDER_IN_USE] > 2.0 && slides_in_space(c);
-    if (c->s.head[S_FUNCTIONS_KNOWN] == 1.0 && some_sleep(c)) leave_far_out(c);
-    if (c->s.head[S_FUNCTIONS_KNOWN] == 0.0 || inputs_move || asks_forces) {
-        keep_start(c);
-        return event_functions(c, low);
-    }
-    const int32_t n = c->m->n_contacts + c->m->n_frictions;
-    for (int32_t k = 0; (k = next_function(c, k)) < n; k++) {
-        const double value = c->s.functions[k], rate = c->s.functions[n + k];
-        low.value[k] = value == NOT_A_NUMBER_IN_STATE ? INFINITY : value;
-        low.rate[k] = rate == NOT_A_NUMBER_IN_STATE ? NAN : rate;
-    }
-    return HOLONOM_OK;
-}
-
-/* Keeps those at the end of a communication step that located contacts, unless laws have jumped. */
-static void keep_functions(const context *c, int is_located)
-{
-    double *head = c->s.head;
-    head[S_FUNCTIONS_KNOWN] = is_located && head[S_STEPPED] == 0.0 && head[S_SWITCHED] == 0.0;
-    if (head[S_FUNCTIONS_KNOWN] == 0.0) return;
-    if (some_sleep(c) && !c->near[NEAR_CONTACTS]) head[S_FUNCTIONS_KNOWN] = 2.0;
-    const event_values low = values_at(c, AT_LOW);
-    const int32_t n = c->m->n_contacts + c->m->n_frictions;
-    for (int32_t k = 0; (k = next_function(c, k)) < n; k++) {
-        c->s.functions[k] = low.value[k] < INFINITY ? low.value[k] : NOT_A_NUMBER_IN_STATE;
-        c->s.functions[n + k] = low.rate[k] == low.rate[k] ? low.rate[k] : NOT_A_NUMBER_IN_STATE;
-    }
-}
 
 /* Finds the first event of a piece of length h from time t, whose functions at both ends are known, and leaves the state
    there; `covered` is its time, h if there is none. */
@@ -570,13 +345,14 @@ static int friction_takes_energy(const context *c)
     return head[S_FRICTION] >= start[S_FRICTION] - 1e-9 * head[S_ENERGY_REFERENCE];
 }
 
-/* Functions of contacts that sleep: their gaps at the state; or those of what is far. */
+/* Gaps of contacts that sleep, for a piece that is made again with all awake. */
 static void value_asleep(const context *c, event_values x)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_asleep(c, i)) x.value[i] = value_of_function(c, c->m->contact_row[i], 0), x.rate[i] = NAN;
 }
 
+/* No events of contacts that sleep: their functions are infinite. */
 static void forget_asleep(const context *c, event_values x)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++) {

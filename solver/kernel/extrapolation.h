@@ -108,7 +108,7 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
     memset(c->k.loss, 0, losses);
     memset(c->k.weighted_loss, 0, losses);
     for (int pairs = 1; pairs <= covers; pairs++) {
-        c->n_pairs = 0;
+        c->n_kept_forces = 0;
         if (pairs > 1) go_back(c, t, law_time);
         for (int i = 0; i < 2 * pairs; i++) {
             const int32_t status = single_step(c, 0.5 * h / pairs, half++ % halves);

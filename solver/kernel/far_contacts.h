@@ -33,7 +33,7 @@ static inline double travel_left(const context *c) { return c->s.head[S_NEXT_AWA
 /* Whether a piece of this travel may bring a contact near that sleeps, or contacts may fall asleep. */
 static inline int asks_for_far(const context *c, double reach)
 {
-    return c->may_rest || (c->near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach));
+    return c->may_fall_asleep || (c->near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach));
 }
 
 /* Wakes all contacts for good. */
@@ -260,7 +260,7 @@ static void leave_far_out(context *c)
 }
 
 /* Whether contact i, open and awake, has a gap that may let it sleep. */
-static inline int may_rest(const context *c, int32_t i, double gap) { return gap > -contact_of(c, i)[C_ASLEEP_UNTIL]; }
+static inline int is_far_enough(const context *c, int32_t i, double gap) { return gap > -contact_of(c, i)[C_ASLEEP_UNTIL]; }
 
 /* Lets contacts sleep that are farther than a piece of this travel reaches, and wakes those that it may bring near, whose gaps are
    written into `value`, if given, with `rate` for not known. */
@@ -268,7 +268,7 @@ static void look_far(context *c, double travel, double *value, double *rate)
 {
     double *head = c->s.head, next = INFINITY;
     int changes = 0;
-    c->may_rest = 0;
+    c->may_fall_asleep = 0;
     if (!hm_skips(SKIP_FAR_CONTACTS) || c->tolerance > 0.0 || n_contacts(c->m) < WORTH_SLEEP) return;
     for (int32_t i = 0; i < n_contacts(c->m); i++) {
         double *until = contact_of(c, i) + C_ASLEEP_UNTIL;

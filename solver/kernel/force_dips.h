@@ -1,5 +1,5 @@
 /* Forces that vanish within a step and come back: a contact would pull for a while, or a friction be more than its cone, though neither
-   end of the step shows it. The means of its pairs of half steps tell where to look. */
+   end of the step shows it. Means of its pairs of half steps, or multipliers of the stages of an explicit step, tell where to look. */
 #ifndef HOLONOM_FORCE_DIPS_H
 #define HOLONOM_FORCE_DIPS_H
 
@@ -29,17 +29,17 @@ static double lowest_margin(const context *c, int32_t k, double t, double h, dou
     double x[3] = {0.0, NAN, h};
     const double ends[2] = {y[0], y[2]};
     double least = fmin(ends[0], ends[1]);
-    for (int32_t j = 0; j < c->n_pairs; j++) {
-        const double at = c->k.pair_time[j] - t, margin = force_margin(c, k, c->k.pair_mean + (int64_t)c->m->n_rows * j);
+    for (int32_t j = 0; j < c->n_kept_forces; j++) {
+        const double at = c->k.kept_time[j] - t, margin = force_margin(c, k, c->k.kept_forces + (int64_t)c->m->n_rows * j);
         if (at > 0.0 && at < h && margin < least) x[1] = at, least = y[1] = margin;
     }
     if (x[1] != x[1]) return NAN;
-    for (int32_t j = 0; j < c->n_pairs; j++) {
-        const double at = c->k.pair_time[j] - t;
+    for (int32_t j = 0; j < c->n_kept_forces; j++) {
+        const double at = c->k.kept_time[j] - t;
         const int later = at > x[1];
         if (at == x[1] || !(at > x[0] && at < x[2])) continue;
         x[later ? 2 : 0] = at;
-        y[later ? 2 : 0] = force_margin(c, k, c->k.pair_mean + (int64_t)c->m->n_rows * j);
+        y[later ? 2 : 0] = force_margin(c, k, c->k.kept_forces + (int64_t)c->m->n_rows * j);
     }
     double lowest = lowest_between(x, y, &least);
     if (lowest == lowest) y[1] = fmin(y[1], least);

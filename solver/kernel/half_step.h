@@ -25,14 +25,14 @@ static int32_t single_step(context *c, double h, int half)
     return status;
 }
 
-enum { MOST_PAIRS = 16 }; /* of a step: the composition of order 8 has 15 */
+enum { MOST_KEPT_FORCES = 16 }; /* of a step: the composition of order 8 has 15 */
 
 /* Keeps the multipliers mu at a time within the step at hand: its contacts are looked at when it ends (force_dips.h). */
 static void keep_forces(context *c, double time, const double *mu)
 {
-    if (!c->m->unilateral || c->n_pairs == MOST_PAIRS) return;
-    c->k.pair_time[c->n_pairs] = time;
-    memcpy(c->k.pair_mean + (int64_t)c->m->n_rows * c->n_pairs++, mu, sizeof(double) * (size_t)c->m->n_rows);
+    if (!c->m->unilateral || c->n_kept_forces == MOST_KEPT_FORCES) return;
+    c->k.kept_time[c->n_kept_forces] = time;
+    memcpy(c->k.kept_forces + (int64_t)c->m->n_rows * c->n_kept_forces++, mu, sizeof(double) * (size_t)c->m->n_rows);
 }
 
 /* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours

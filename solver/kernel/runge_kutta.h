@@ -345,9 +345,9 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     keep_motion(c, h);
     c->balanced = 0.0;
     c->growth = n_contacts(c->m) ? IMPACTS_GROW : 1.0;
-    at->n_pairs = 0;
+    at->n_kept_forces = 0;
     if (!status) status = take_stages(at, x, h);
-    c->n_pairs = at->n_pairs;
+    c->n_kept_forces = at->n_kept_forces;
     if (status) return status;
     c->difference = difference_of_stages(at, x, h);
     if (!(c->difference <= LARGEST_DIFFERENCE)) {

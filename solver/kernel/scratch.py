@@ -75,8 +75,8 @@ WORK = {
     "stages": "24 * n",  # velocities and accelerations of twelve, see stages.h
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
-    "pair_mean": "16 * n_rows * unilateral", "pair_time": "16",  # of the step, see keep_forces
-    "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
+    "kept_forces": "16 * n_rows * unilateral", "kept_time": "16",  # of the step, see keep_forces
+    "event": "6 * (n_contacts + n_frictions)",  # functions of contacts, see event_functions.h
     "event_backup": "n_state * unilateral",  # before a step that events may cut
     "touch": "7 * n_contacts",  # see half_step_contacts.h
     "flips": "n_frictions",  # changes of mode in the half step

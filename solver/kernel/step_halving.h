@@ -88,7 +88,7 @@ static int32_t take_step(context *c, double h)
     int stages = 1;
     stage(order, 0, &stages);
     begin_halves(c, 2 * stages);
-    c->n_pairs = 0;
+    c->n_kept_forces = 0;
     for (int i = 0; i < stages && !status; i++) {
         const double half = 0.5 * h * stage(order, i, &stages);
         status = single_step(c, half, 2 * i);

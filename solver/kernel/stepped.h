@@ -109,7 +109,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     const double rest = step - done, longest = fmin(hm_step_size(head), head[S_LONGEST_STEP]);
     const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
-    if (is_stepped(c)) c->may_rest = 1;
+    if (is_stepped(c)) c->may_fall_asleep = 1;
     else wake_all(c);
     head[S_STEPPED] = 1.0;
     head[S_ORDER_IN_USE] = 2.0;

@@ -428,7 +428,7 @@ STATE = {
     "turn_before_first": "n_turns", "turn_before_second": "n_turns",
     "turn_missed": "n_turns * n_slots",
     "mean": "n_rows", "mean_before": "n_rows",  # of the last two multipliers, and those before
-    "functions": "2 * (n_contacts + n_frictions)",  # and their rates, see event.h
+    "functions": "2 * (n_contacts + n_frictions)",  # and their rates, see event_functions.h
     "shift": "n_rows * unilateral",  # of multipliers, where what sticks shares its forces
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
