@@ -70,7 +70,7 @@ def _compiled(dimension: int) -> Path:
         options = [OPTIMISATION, "-DHOLONOM_WITHOUT=holonom_without", "-include", str(CHOICE)]
         options += ["-DHOLONOM_ENERGY_DECIDES=holonom_energy_decides"]
         options += [*(WRAPPED if sys.platform == "linux" else ["-DUNWRAPPED"]), str(COUNTER)]
-        options += [f"-I{FOLDER}", str(PROBE)]
+        options += [str(PROBE)]
         compile_library(compiler, FOLDER, Kind(dimension), mine, *options)
         mine.replace(target)
     return target
