@@ -52,7 +52,7 @@ needs_compiler = pytest.mark.skipif(
 def _digest() -> str:
     """Hash of all that makes a kernel."""
     digest = hashlib.sha256(" ".join([*flags(platform.system()), OPTIMISATION]).encode())
-    for path in [*sorted(FOLDER.iterdir()), COUNTER, CHOICE, PROBE]:
+    for path in [*sorted(FOLDER.rglob("*.[ch]")), COUNTER, CHOICE, PROBE]:
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()[:16]
 
