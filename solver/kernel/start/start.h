@@ -273,27 +273,6 @@ HM_SELDOM static double second_rate(const context *c, int32_t j)
     return (s[0] * bend[1] - s[1] * bend[0] - 2.0 * turning * (s[0] * rate[0] + s[1] * rate[1])) / size2;
 }
 
-/* Jet of function j, whose leaves begin its registers x and whose first `known` operations have their results there; numbers stand
-   still, or move as `jet` says. */
-HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, int32_t known, hm_jet *x, const double *jet)
-{
-    const holonom_model *m = c->m;
-    const int32_t f = j - first_function(c);
-    int32_t l = m->leaf_ptr[j + 1] - m->leaf_ptr[j] + known;
-    for (int32_t at = m->function_ptr[f] + known; at < m->function_ptr[f + 1]; at++, l++) {
-        const int32_t *op = m->operation + 4 * at;
-        hm_jet argument[3];
-        for (int i = 0; i < 3; i++) {
-            const int32_t number = -1 - op[1 + i];
-            argument[i] = number < 0 ? x[op[1 + i]] : (hm_jet){c->number[number], 0.0, 0.0};
-            if (number >= 0 && jet) argument[i].rate = jet[2 * number], argument[i].bend = jet[2 * number + 1];
-        }
-        x[l] = op[0] < T_SPLINE ? hm_operate_jet(op[0], argument[0], argument[1], argument[2])
-                                : hm_look_up_jet(op[0], op[1] < 0 ? argument : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
-    }
-    return x[l - 1];
-}
-
 /* Bias of row j, a function or velocity row: its second derivative at constant velocities, of a velocity row the first.
    Rates of signals are `signal_rate`, their second derivatives `signal_bend`. `before`: the row whose bias was computed last, at the
    same state; -1: any. */

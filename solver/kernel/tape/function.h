@@ -82,21 +82,36 @@ static inline void damp_slopes(const context *c, int32_t j)
     for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++) c->k.r.adjoint[l] *= factor;
 }
 
-#define A_MOMENT 0x1p-100 /* [s]; slopes of powers are those at the state only if the leaves' changes are small against them */
+/* Jet of function j, whose leaves begin its registers x and whose first `known` operations have their results there; numbers stand
+   still, or move as `jet` says. */
+HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, int32_t known, hm_jet *x, const double *jet)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = j - first_function(c);
+    int32_t l = m->leaf_ptr[j + 1] - m->leaf_ptr[j] + known;
+    for (int32_t at = m->function_ptr[f] + known; at < m->function_ptr[f + 1]; at++, l++) {
+        const int32_t *op = m->operation + 4 * at;
+        hm_jet argument[3];
+        for (int i = 0; i < 3; i++) {
+            const int32_t number = -1 - op[1 + i];
+            argument[i] = number < 0 ? x[op[1 + i]] : (hm_jet){c->number[number], 0.0, 0.0};
+            if (number >= 0 && jet) argument[i].rate = jet[2 * number], argument[i].bend = jet[2 * number + 1];
+        }
+        x[l] = op[0] < T_SPLINE ? hm_operate_jet(op[0], argument[0], argument[1], argument[2])
+                                : hm_look_up_jet(op[0], op[1] < 0 ? argument : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
+    }
+    return x[l - 1];
+}
 
 /* Share of a damped potential at the state, and the rate of its energy without damping. */
 HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *power)
 {
-    const holonom_model *m = c->m;
-    const hm_registers *r = &c->k.r;
-    const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
-    for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++, entry += 4) {
-        r->r0[l] = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, r->dr + l);
-        r->r1[l] = r->r0[l];
-        r->dr[l] *= A_MOMENT;
-    }
-    *power = r->dr[run_function(c, j)] / A_MOMENT;
-    return damping_share(c, j, r->dr[m->depth_register[j - first_potential(c)]] / A_MOMENT);
+    const int32_t *entry = c->m->leaf + 4 * c->m->leaf_ptr[j];
+    hm_jet *x = (hm_jet *)c->k.leaves;
+    for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++, entry += 4)
+        x[l].bend = 0.0, x[l].value = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &x[l].rate);
+    *power = function_jet(c, j, 0, x, NULL).rate;
+    return damping_share(c, j, x[c->m->depth_register[j - first_potential(c)]].rate);
 }
 
 /* ---------------------------------------------------------------------------------------------- slopes */
