@@ -16,7 +16,7 @@ from solver.options import OPTIONS
 from solver.runtime import Integrator, kernel
 from solver.runtime.layout import ABI, CONTACT_MODES, HEAD, SIZES
 from solver.scene.quantities import CONTACT
-from tests.twins import PENDULUM, model_of
+from tests.support.kernel.twins import PENDULUM, model_of
 
 SOLVER = Path(__file__).parents[2] / "solver"
 

@@ -22,8 +22,8 @@ from solver.scene.expression import (
     symbol,
 )
 from solver.scene.profiles import table_of
-from tests.kernel_calls import Kernel
-from tests.twins import PENDULUM, model_of, start
+from tests.support.kernel.kernel_calls import Kernel
+from tests.support.kernel.twins import PENDULUM, model_of, start
 
 NAMES = ("a", "b", "c")
 

@@ -1,6 +1,7 @@
 """Random scenes of all kinds of shapes obey the laws of contact at every event and at rest.
 
-Scenes run through the product, located and stepped; ``tests/scene_laws.py`` has the laws.
+Scenes run through the product, located and stepped; ``tests/support/contact/scene_laws.py`` has
+the laws.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ import solver
 from solver import SceneError
 from solver.runtime import Integrator, StepError
 from solver.runtime.layout import CONTACT
-from tests.random_shapes import Content, RandomShapes, write_box
-from tests.scene_laws import (
+from tests.support.contact.random_shapes import Content, RandomShapes, write_box
+from tests.support.contact.scene_laws import (
     Around,
     LawError,
     check_impact,

@@ -11,9 +11,9 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.contact_events import number
-from tests.contact_scenes import toml_of
-from tests.problems import GRAVITY, Content
+from tests.support.contact.contact_events import number
+from tests.support.contact.contact_scenes import toml_of
+from tests.support.mechanisms.problems import GRAVITY, Content
 
 GOLDEN = (1.0 + math.sqrt(5.0)) / 2.0
 TETRAHEDRON = [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)]
