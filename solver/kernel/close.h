@@ -285,7 +285,7 @@ static int recurs(closing *x, const double *begun)
     double *now = at->k.pair_backup;
     keep_state(at, now);
     take_state(at, begun);
-    memcpy(at->s.turns, now + (at->s.turns - at->s.head), sizeof(double) * (size_t)at->m->n_quantities);
+    take_section(at, at->s.turns, at->m->n_quantities, now);
     look_at_gaps(x, 0.0);
     if (is_closed_now(x)) return 1;
     take_state(at, now);

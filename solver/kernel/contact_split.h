@@ -399,9 +399,9 @@ HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togethe
    coefficients with which they would hold; else frictions of joints slide that give way. */
 HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, double *load)
 {
-    const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
+    const size_t modes = sizeof(double) * (size_t)c->s.n_modes;
     const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
-    double *kept = c->k.rest_modes, *w = kept + C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions;
+    double *kept = c->k.rest_modes, *w = kept + c->s.n_modes;
     shared_forces x = map_shared(c);
     *how = NOT_TOGETHER;
     if (!collect_shared(c, &x) || torn_loose(c, NULL) >= 0) return HOLONOM_OK; /* forces at hand do not hold: no others with the same sum do */

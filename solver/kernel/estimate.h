@@ -200,11 +200,10 @@ static int estimate_error(const context *c, double h, step_error *e)
 {
     const int order = (int)c->s.head[S_ORDER_IN_USE];
     const method *used = method_of(order, c->way == EXPLICIT), *pair = METHODS;
-    const int64_t n = DIM * c->n_moving;
-    const double *x = c->k.estimate + (c->unweighted ? 0 : 2 * n);
+    const double *x = c->k.estimate + (c->unweighted ? 0 : c->s.n_motion);
     double difference;
     if (c->way == EXPLICIT) difference = c->difference;
-    else if (c->way == COVERED) difference = relative_size(c, error_norm(c, x), error_norm(c, x + n));
+    else if (c->way == COVERED) difference = motion_error(c, x);
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     e->is_noise = is_noise(c, used->round_off, difference, h);
     if (c->unweighted) { /* the end that was not taken tells the error of the one that was, after so many pairs */
@@ -222,7 +221,7 @@ static int estimate_error(const context *c, double h, step_error *e)
     const int is_settled = has_strong_dampers(c);
     const int is_slaved = c->way != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
-        const double before = relative_size(c, error_norm(c, x + 2 * n), error_norm(c, x + 3 * n));
+        const double before = motion_error(c, x + c->s.n_motion);
         const double next = difference * difference / hm_hypot(difference, before);
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);

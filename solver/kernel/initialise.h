@@ -212,7 +212,7 @@ static int32_t seek_contacts(context *c, double h, double *size)
         if ((status = seek_step(c, h, 0, size))) break;
         take_over(c);
         if (!change_objecting(c, choice >= FREE_CHOICES)) return HOLONOM_OK;
-        memcpy(c->s.q, begun + (c->s.q - c->s.head), 2 * sizeof(double) * (size_t)(DIM * c->n_moving));
+        take_motion_back(c, begun);
     }
     take_state(c, begun);
     return status ? status : HOLONOM_NEWTON_DIVERGED;

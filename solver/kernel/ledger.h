@@ -2,6 +2,7 @@
 #ifndef HOLONOM_LEDGER_H
 #define HOLONOM_LEDGER_H
 
+#include "motion.h"
 #include "sampling.h"
 #include "step.h"
 
@@ -138,19 +139,6 @@ static void follow_turns(context *c)
 {
     follow_angles(c, NULL);
     for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
-}
-
-/* x (2 n) += weight times what the state has changed by since `before`, in coordinates and in velocities. */
-static void add_change(const context *c, const double *before, double weight, double *x)
-{
-    const int64_t n = DIM * c->n_moving;
-    const hm_state *s = &c->s;
-    const double *q0 = before + (s->q - s->head), *q0_low = before + (s->q_low - s->head);
-    const double *v0 = before + (s->v - s->head), *v0_low = before + (s->v_low - s->head);
-    for (int64_t k = 0; k < n; k++) {
-        x[k] += weight * ((s->q[k] - q0[k]) + (s->q_low[k] - q0_low[k]));
-        x[n + k] += weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0_low[k]));
-    }
 }
 
 static double momentum_norm2(const context *c)

@@ -285,8 +285,7 @@ HM_SELDOM static double free_part(context *at, const runge_kutta *x)
 /* Keeps the start of a step, of which velocities that other steps have left off the rows are put back first, if they can be. */
 HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
 {
-    const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    memcpy(c->k.pair_backup, c->s.head, bytes);
+    keep_state(c, c->k.pair_backup);
     if (ends_explicitly(c)) return HOLONOM_OK;
     follow_drivers(c);
     const int32_t status = factorise_here(at);
@@ -295,7 +294,7 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     forget_momenta(c);
     put_velocities_back(c, at);
     if (mesh_of(c)) note_ahead(c, MESH_STARTED - MESH_LOWERED);
-    memcpy(c->k.pair_backup, c->s.head, bytes);
+    keep_state(c, c->k.pair_backup);
     return HOLONOM_OK;
 }
 
@@ -371,7 +370,7 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
 /* Leaves the forces at the start of a step that has failed in momentum: t is its time; fault.h names the part of the largest one. */
 HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, double h)
 {
-    memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    take_state(c, c->k.pair_backup);
     follow_signals(c, t, h, 0.0);
     laws_within(at, t, h, 0.0);
     accelerate_all(at);

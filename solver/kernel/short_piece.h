@@ -48,10 +48,7 @@ HM_SELDOM static void move_by_series(context *c, double h)
     const int32_t n_free = c->m->n_free;
     signals_at(c, c->t + h, c->k.signal1);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
-        hm_add(c->s.q + k, c->s.q_low + k, h * (c->s.v[k] + 0.5 * h * c->k.w[k]));
-        hm_add(c->s.v + k, c->s.v_low + k, h * c->k.w[k]);
-    }
+    move_along(c, h, c->k.w);
     for (int32_t k = 0; k < DIM * c->m->n_driven; k++) {
         c->s.q[DIM * n_free + k] = c->s.signal[k];
         c->s.q_low[DIM * n_free + k] = 0.0;

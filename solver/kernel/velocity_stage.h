@@ -154,7 +154,7 @@ static int32_t land(context *c, int32_t island)
 {
     const int lands = island_has(c, island, LANDS);
     const double before = booked(c, S_IMPACT);
-    const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
+    const size_t modes = sizeof(double) * (size_t)c->s.n_modes;
     double taken, rubbed;
     hit x;
     map_hit(c, &x);
