@@ -29,28 +29,18 @@ static inline int account_of(const context *c, int32_t j, enum row_state state)
     return owner < 0 ? S_DEFECT : S_IMPACT;
 }
 
-/* Work of the elements' drives, what dampers take (also for each by itself, in loss), and the work of drivers: a row of multiplier mu works
+/* Work of elements, what their dampers take (also for each by itself, in loss), and the work of drivers: a row of multiplier mu works
    -mu (its part by quantities) = -mu dphi + mu (its part by signals).                                           */
 static void book_composites(context *c)
 {
-    const holonom_model *m = c->m;
-    composite_result result = {0.0, 0.0, 0.0};
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
-        const double damping = c->number[m->damping_at + j], drive = c->number[m->drive_at + j];
-        if (damping == 0.0 && drive == 0.0) continue;
-        const double elongation = c->k.elongation[j], lost = damping * elongation * elongation / c->h;
-        book(c, S_DISSIPATED, lost);
-        c->k.loss[j] += lost;
-        book(c, S_WORK, drive * elongation);
-    }
     EACH_COMPOSITE(c, j) {
-        if (is_damped(c, j)) {
-            composite_slopes(c, j, SLOPES_ALONE, &result);
-            const double lost = damping_share_of_step(c, j) * result.change;
-            book(c, S_DISSIPATED, lost);
-            c->k.loss[j] += lost;
+        if (!is_row(c, j)) {
+            const element_work work = kind_of(c, j)->step(c, j);
+            book(c, S_DISSIPATED, work.lost);
+            c->k.loss[j] += work.lost;
+            book(c, S_WORK, work.done);
+            continue;
         }
-        if (!is_row(c, j)) continue;
         const int32_t row = row_of(c, j);
         const double mu = c->k.mu[row], change = c->k.change[row];
         const enum row_state state = state_of_row(c, j);

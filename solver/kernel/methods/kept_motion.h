@@ -192,22 +192,8 @@ HM_SELDOM static double sizes_of_summands(const context *c, const kept_motion *x
         for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->moment_at + TURNING * j + k]);
     for IN_ISLAND(c, j, ISLAND_BODY_MOMENT)
         for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->body_moment_at + TURNING * j + k]);
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
-        const double rest = c->number[m->rest_at + j];
-        const int32_t measured = m->leaf[4 * m->leaf_ptr[j] + 1];
-        const double sigma = quantity_at(c, measured, c->s.q, c->s.q_low, NULL, NULL);
-        const double size = m->quantity_kind[measured] == QUANTITY_ANGLE ? 1.0 : extent;
-        sum += fabs(c->number[m->drive_at + j]) * fmax(fabs(sigma), size);
-        sum += c->number[m->stiffness_at + j] * fabs(sigma - rest) * (fabs(sigma) + fabs(rest));
-    }
     if (m->n_potentials) quantities_at_state(c);
-    for IN_ISLAND(c, j, ISLAND_POTENTIAL) {
-        const hm_registers *r = &c->k.r;
-        sum += fabs(function_value(c, j));
-        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) r->r1[l] = r->r0[l], r->dr[l] = 0.0;
-        run_function(c, j);
-        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) sum += fabs(r->adjoint[l] * r->r0[l]);
-    }
+    EACH_ELEMENT(c, j) kind_of(c, j)->add_sizes(c, j, &sum);
     return sum;
 }
 

@@ -175,9 +175,7 @@ HM_SELDOM static int has_unknown_work(const context *c)
     if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 1;
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY && c->m->n_signals; k++)
         for IN_ISLAND(c, j, k) if (has_signal(c, j)) return 1;
-    int acts = is_loaded(c);
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) acts |= c->number[c->m->drive_at + j] != 0.0;
-    return c->m->sensing && acts;
+    return c->m->sensing && (is_loaded(c) || has_drives(c));
 }
 
 /* Lets what is lost in the step, and is known to its order, make up for an energy that velocities cannot bring back, as all stands for

@@ -154,13 +154,10 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion 
 {
     const holonom_model *m = at->m;
     const double *v = at->s.v, *gravity = at->number + m->gravity_at;
-    for IN_ISLAND(at, j, ISLAND_ELEMENT) {
-        const double drive = at->number[m->drive_at + j], damping = at->number[m->damping_at + j];
-        double rate;
-        if (drive == 0.0 && damping == 0.0) continue;
-        quantity_at(at, m->leaf[4 * m->leaf_ptr[j] + 1], at->s.q, at->s.q_low, v, &rate);
-        x->work += time * drive * rate;
-        at->k.loss[j] += time * damping * rate * rate;
+    EACH_ELEMENT(at, j) {
+        const element_work work = kind_of(at, j)->rate(at, j, time);
+        x->work += work.done;
+        at->k.loss[j] += work.lost;
     }
     if (!is_loaded(at)) return HOLONOM_OK;
     clear_nodes(at, at->k.momentum);

@@ -15,9 +15,7 @@ static int is_short(const context *c, double h) { return h < SHORTEST_PIECE * us
 HM_SELDOM static int has_loads(const context *c)
 {
     const holonom_model *m = c->m;
-    int has = m->n_signals > 0 || n_frictions(m) > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0;
-    for (int32_t j = 0; j < m->n_elements; j++) has |= c->number[m->drive_at + j] != 0.0;
-    return has;
+    return m->n_signals > 0 || n_frictions(m) > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0 || has_drives(c);
 }
 
 /* Power that dampers, and frictions that slide, take at the state, with the forces evaluated. */
@@ -25,17 +23,7 @@ HM_SELDOM static void powers_at_state(const context *c, double *damping, double 
 {
     const holonom_model *m = c->m;
     *damping = *friction = 0.0;
-    for (int32_t j = 0; j < m->n_elements; j++) {
-        double rate;
-        quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, c->s.v, &rate);
-        *damping += c->number[m->damping_at + j] * rate * rate;
-    }
-    for (int32_t j = first_potential(c); j < n_composites(c); j++) {
-        double power;
-        if (!is_damped(c, j)) continue;
-        const double share = damping_at_state(c, j, &power);
-        *damping += share * power;
-    }
+    EACH_ELEMENT(c, j) *damping += kind_of(c, j)->rate(c, j, 1.0).lost;
     for (int32_t f = 0; f < n_frictions(m); f++)
         if (friction_mode(c, f) == FRICTION_SLIDES)
             for (int k = 0; k < n_slips(c, f); k++)
