@@ -118,7 +118,7 @@ HM_SELDOM static void evaluate_state(context *c)
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t, 1);
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
-    c->factors_h = 0.0; /* factors of a step do not outlast what follows */
+    c->kept_factors.h = 0.0; /* factors of a step do not outlast what follows */
 }
 
 /* Blames the closed contact that is pressed most, by the means of the last half step; none if all are open. */

@@ -260,7 +260,7 @@ HM_SELDOM static int32_t add_reshare(const context *c, const shared_forces *x, d
 /* Whether there is a split, that of well inside the cones if there is one. */
 HM_SELDOM static int is_held_together(const context *c, const rest_split *s)
 {
-    return has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN));
+    return has_split(s, 1.0 - WELL_INSIDE) || (!c->event.gives_way && has_split(s, 1.0 + CONE_MARGIN));
 }
 
 /* Lets half steps to come share forces as a split of those that the means of multipliers tell, if it is there. */

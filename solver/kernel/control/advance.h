@@ -164,7 +164,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     open_context(&c, m, number, state, work);
     c.watch = watch;
     c.mesh = mesh;
-    c.pause = 1e-9 * step;
+    c.switches.pause = 1e-9 * step;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */

@@ -205,7 +205,7 @@ static void take_back(context *c)
 static void hold_multipliers(context *c, newton_record *r)
 {
     update_multipliers(c);
-    c->has_last = 0;
+    c->secants.has_last = 0;
     r->updates++;
 }
 
@@ -229,13 +229,13 @@ static int32_t iterate_newton(context *c, newton_record *r)
             c->soft = is_soft_enough(c, r);
             status = factorise(c);
             c->firm = !status && rows_are_firm(c);
-            c->has_last = 0;
+            c->secants.has_last = 0;
         }
         if (!status) status = newton_update(c, r);
         if (status) return status;
         judge_increment(c, r);
         c->unsettled = is_settling(c, r) ? r->eta / fabs(c->h) : INFINITY;
-        if (is_misled(r)) take_back(c), c->has_last = 0;
+        if (is_misled(r)) take_back(c), c->secants.has_last = 0;
         if (r->eta <= READ_ENOUGH * r->size) c->reads = 0;
         status = evaluate_balance(c);
         if (status) return status;

@@ -139,7 +139,7 @@ static void begin_halves(context *c, int halves)
 {
     if (c->s.head[S_HALVES] != halves) forget_halves(c);
     c->s.head[S_HALVES] = c->halves = halves;
-    c->factors_h = 0.0;
+    c->kept_factors.h = 0.0;
     c->rows_known = 0;
 }
 

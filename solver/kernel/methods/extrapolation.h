@@ -58,7 +58,7 @@ static void weigh(context *c, int pairs, int covers, double *booked)
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
-static int32_t take_weighted(context *c, const double *booked)
+static int32_t take_weighted(context *c, const double *booked, step_result *result)
 {
     double *head = c->s.head, *change = c->k.estimate;
     const double *start = c->k.pair_backup;
@@ -83,6 +83,7 @@ static int32_t take_weighted(context *c, const double *booked)
     int32_t status = factorise_here(&at);
     int unused;
     if (!status) status = put_back(c, &at, &unused);
+    tell_corrections(c, result);
     suspend_sliding(c, 0);
     follow_turns(c);
     return status;
@@ -116,20 +117,20 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
 
 /* One internal step: its weighted end, or that of the finest cover, of order 2. A pair that `is_judged` so is one of two covers. With
    equal steps the finest cover stands, too, where the weighted end cannot be put back; under a tolerance the step is divided. */
-HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
+HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged, step_result *result)
 {
     const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;
     double booked[N_WEIGHTED] = {0.0}; /* weighted changes in the ledger */
     keep_motion(c, h);
-    c->growth = 1.0;
-    c->balanced = 0.0;
+    result->growth = 1.0;
+    result->energy_correction = 0.0;
     keep_state(c, c->k.pair_backup);
     int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), booked);
     if (status) return status;
     keep_state(c, c->k.finest);
-    c->way = COVERED;
-    c->unweighted = 0;
-    status = is_judged ? HOLONOM_OK : take_weighted(c, booked);
+    result->method = COVERED;
+    result->finest = 0;
+    status = is_judged ? HOLONOM_OK : take_weighted(c, booked, result);
     if (!status && !is_judged) return HOLONOM_OK;
     if (is_judged) {
         add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
@@ -138,7 +139,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
         return status;
     take_state(c, c->k.finest);
     c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;
-    c->unweighted = covers;
+    result->finest = covers;
     return HOLONOM_OK;
 }
 

@@ -17,6 +17,7 @@ typedef struct kept_motion {
     double kinetic, potential;          /* energies at the start of the step */
     double lacking;                     /* energy that its ledger lacked there */
     double work, dissipated;            /* in the step */
+    double correction, growth;          /* as in a step_result */
     double centre[DIM];                 /* which angular momenta are about */
 } kept_motion;
 
@@ -165,6 +166,15 @@ HM_SELDOM static void gain_together(context *c, double total)
         if (energy > most) most = energy, strongest = x;
     }
     strongest->work += total;
+}
+
+/* What putting the islands back has done to the step. */
+HM_SELDOM static void tell_corrections(context *c, step_result *result)
+{
+    EACH_ISLAND(c, island) {
+        result->energy_correction = fmax(result->energy_correction, kept_of(c)->correction);
+        result->growth = fmax(result->growth, kept_of(c)->growth);
+    }
 }
 
 #define EACH_FREE(c, k) for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE]; k < k##_end; k++)

@@ -149,7 +149,7 @@ HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double 
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
    u'Mu s^2/2 + v'Mu s + excess = 0. Where the mechanism almost stands, round-off of the energy would be much velocity: it is left.
    Returns whether it could be done. */
-HM_SELDOM static int balance_energy(context *c, const kept_motion *x, double potential)
+HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
     for (int i = 0; i < 3; i++) {
@@ -162,7 +162,7 @@ HM_SELDOM static int balance_energy(context *c, const kept_motion *x, double pot
         const double change = fabs(part) * sqrt(square) / speed_scale(c);
         if (!(change <= ENERGY_ROUND_OFF) && is_round_off(c, x, excess)) return 1;
         if (!(fabs(part) <= LARGEST_SCALING)) return 0;
-        c->balanced = fmax(c->balanced, change);
+        x->correction = fmax(x->correction, change);
         add_to_velocities(c, part, u);
     }
     if (c->m->n_islands > 1) c->island[I_UNBALANCED] = unbalanced(c, x, potential);

@@ -335,19 +335,19 @@ HM_SELDOM static void book_works(context *c)
 }
 
 /* Stages and end of a step, put back. */
-HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, int *held)
+HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, step_result *result, int *held)
 {
     int32_t status = keep_explicit_start(c, at);
     keep_motion(c, h);
-    c->balanced = 0.0;
-    c->growth = n_contacts(c->m) ? IMPACTS_GROW : 1.0;
+    result->energy_correction = 0.0;
+    result->growth = n_contacts(c->m) ? IMPACTS_GROW : 1.0;
     at->n_kept_forces = 0;
     if (!status) status = take_stages(at, x, h);
     c->n_kept_forces = at->n_kept_forces;
     if (status) return status;
-    c->difference = difference_of_stages(at, x, h);
-    if (!(c->difference <= LARGEST_DIFFERENCE)) {
-        c->shorter = fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / c->difference, 1.0 / x->order));
+    result->difference = difference_of_stages(at, x, h);
+    if (!(result->difference <= LARGEST_DIFFERENCE)) {
+        result->shorter = fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / result->difference, 1.0 / x->order));
         return HOLONOM_NOT_FINITE;
     }
     signals_at(c, c->t + h, c->k.signal1);
@@ -359,9 +359,12 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
     if (!status) book_works(c);
     if (!status) status = factorise_here(at);
-    c->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(c->difference, 1e-30), 1.0 / x->order);
-    if (!status) c->free_part = free_part(at, x);
-    return status ? status : put_back(c, at, held);
+    result->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(result->difference, 1e-30), 1.0 / x->order);
+    if (status) return status;
+    result->free_part = free_part(at, x);
+    status = put_back(c, at, held);
+    tell_corrections(c, result);
+    return status;
 }
 
 /* Leaves the forces at the start of a step that has failed in momentum: t is its time; fault.h names the part of the largest one. */
@@ -376,7 +379,7 @@ HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, do
 
 /* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after
    MOST_HELD in a row others are, too: they learn their errors anew. */
-HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
+HM_SELDOM static int32_t runge_kutta_step(context *c, double h, step_result *result)
 {
     const runge_kutta *x = method_of_order((int)c->s.head[S_ORDER_IN_USE]);
     const double t = c->t;
@@ -386,7 +389,7 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
     take_unknowns(&at);
     c->h = h;
     c->halves = x->stages;
-    int32_t status = step_explicitly(c, &at, x, h, &held);
+    int32_t status = step_explicitly(c, &at, x, h, result, &held);
     /* Some weights are negative, those of pairs are not; and a stage lies on a singular place. */
     if (status == HOLONOM_DAMPING_REVERSED || status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;
     if (held) {
@@ -399,7 +402,7 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
     if (status) return status;
     c->s.head[S_HELD] = 0.0;
     c->s.head[S_SUBSTEPS] += x->stages;
-    c->way = EXPLICIT;
+    result->method = EXPLICIT;
     follow_turns(c);
     return HOLONOM_OK;
 }
