@@ -229,7 +229,7 @@ HM_SELDOM static double forces_to_split(const context *c, const shared_forces *x
     return size;
 }
 
-HM_SELDOM static void forget_shares(const context *c)
+HM_SELDOM static void forget_shares(context *c)
 {
     if (!has_shares(c)) return;
     c->s.head[S_SHARES] = 0.0;

@@ -112,7 +112,7 @@ static double part_taken_out(const hit *x, double taken)
 
 /* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone would give back more than was taken, the
    same part of all of them goes. Where none `lands` all of them go.                                               */
-static void take_out(const context *c, const hit *x, double taken, int lands)
+static void take_out(context *c, const hit *x, double taken, int lands)
 {
     const int32_t n = x->law.rows;
     double part = lands ? part_taken_out(x, taken) : 0.0;
@@ -270,7 +270,7 @@ static int tear_loose_in_step(context *c)
 }
 
 /* Adds to velocities that stop, whose impulses are in mu, those with which contacts that land among many part. */
-static void add_parting(const context *c, double *stop)
+static void add_parting(context *c, double *stop)
 {
     const int32_t n = DIM * c->n_moving, rows = c->m->n_rows;
     double *part = c->k.free, lost = -mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop), given = 0.0, all = 0.0;

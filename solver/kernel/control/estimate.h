@@ -70,7 +70,7 @@ static inline double square_of_turn(const double *rate)
 }
 
 /* Rate of change of the mean acceleration of pairs (in estimate); 0 where nothing tells it yet. */
-static int find_rate_of_pairs(const context *c, double h)
+static int find_rate_of_pairs(context *c, double h)
 {
     const int64_t n = DIM * c->n_moving;
     double *const *a = c->s.a, *const *before = c->s.a_before;
@@ -83,7 +83,7 @@ static int find_rate_of_pairs(const context *c, double h)
 }
 
 /* The difference for a pair. */
-static int difference_of_pairs(const context *c, double h, double *difference)
+static int difference_of_pairs(context *c, double h, double *difference)
 {
     if (!find_rate_of_pairs(c, h)) return 0;
     const double of_rate = error_norm(c, c->k.estimate), speed = error_norm(c, c->s.v);
@@ -92,7 +92,7 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     return 1;
 }
 
-static void judge_coarseness(const context *c, double h, double over)
+static void judge_coarseness(context *c, double h, double over)
 {
     if (over <= c->s.head[S_COARSENESS]) return;
     c->s.head[S_COARSENESS] = over;
@@ -109,7 +109,7 @@ static double way_of(const context *c, int32_t a)
 
 /* Largest change of acceleration of a place (x[0]) and of a body's turn (x[1]) among free nodes. An error where a path bends sharply
    turns all of the path, and so counts by half its reach over that bend's radius, v^1.5/rate^0.5. */
-static void largest_rates(const context *c, const double *rate, double *x)
+static void largest_rates(context *c, const double *rate, double *x)
 {
     double *reach = c->s.head + S_REACH;
     x[0] = x[1] = 0.0;
@@ -127,7 +127,7 @@ static void largest_rates(const context *c, const double *rate, double *x)
 }
 
 /* Looks at an equal step of length h, number `look` of those in a row. */
-HM_SELDOM static void look_at_step(const context *c, double h, double look)
+HM_SELDOM static void look_at_step(context *c, double h, double look)
 {
     double *head = c->s.head, x[2];
     const int is_known = find_rate_of_pairs(c, h); /* not after a jump */
@@ -146,7 +146,7 @@ HM_SELDOM static void look_at_step(const context *c, double h, double look)
     judge_coarseness(c, h, hm_error_of_path(head, c->number[c->m->extent_at], head[S_EQUAL_STEPS]) / MOST_OF_THE_PATH);
 }
 
-HM_SELDOM static void turn_further(const context *c, double h, int32_t node, double square)
+HM_SELDOM static void turn_further(context *c, double h, int32_t node, double square)
 {
     c->s.head[S_TURNED] = square;
     c->s.head[S_TURNING] = node;
@@ -154,7 +154,7 @@ HM_SELDOM static void turn_further(const context *c, double h, int32_t node, dou
 }
 
 /* Takes from an equal step of length h, which is over, how long it was for the motion. */
-HM_OFTEN void follow_coarseness(const context *c, double h)
+HM_OFTEN void follow_coarseness(context *c, double h)
 {
     double *head = c->s.head;
     for (int32_t b = 0; b < n_bodies(c->m); b++) {
@@ -196,7 +196,7 @@ static int is_noise(const context *c, double round_off, double difference, doubl
 }
 
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
-static int estimate_error(const context *c, double h, step_error *e)
+static int estimate_error(context *c, double h, step_error *e)
 {
     const int order = (int)c->s.head[S_ORDER_IN_USE];
     const method *used = method_of(order, c->last.method == EXPLICIT), *pair = METHODS;

@@ -163,7 +163,7 @@ static int32_t take_functions(context *c, int inputs_move)
 }
 
 /* Keeps those at the end of a communication step that located contacts, unless laws have jumped. */
-static void keep_functions(const context *c, int is_located)
+static void keep_functions(context *c, int is_located)
 {
     double *head = c->s.head;
     head[S_FUNCTIONS_KNOWN] = is_located && head[S_STEPPED] == 0.0 && head[S_SWITCHED] == 0.0;

@@ -29,7 +29,7 @@ static void start_anew(context *c)
 
 /* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
    there, and stay where its line ends.                                                                          */
-HM_SELDOM static void end_line(const context *c)
+HM_SELDOM static void end_line(context *c)
 {
     extrapolate(c, c->s.head[S_TIME], c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
     extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);

@@ -65,7 +65,7 @@ HM_SELDOM static int leave_undetermined(const context *c, double *x, int all)
 }
 
 /* Multipliers that the next step begins with, in the place of lambda: those of this one, less that part. */
-static void clean_multipliers(const context *c)
+static void clean_multipliers(context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
     if (!leave_undetermined(c, c->k.lambda, 0)) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
@@ -141,7 +141,7 @@ static int rows_are_firm(const context *c)
    energy, and 5e-15 like this).                                                                                 */
 #define NEARLY_THERE 1e-8
 
-static void choose_lambda(const context *c, const newton_record *r)
+static void choose_lambda(context *c, const newton_record *r)
 {
     const int is_short = r->begun < NEARLY_THERE * r->size;
     const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;

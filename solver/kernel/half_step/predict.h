@@ -123,7 +123,7 @@ static inline void remember(int kept, const history *x, double fresh, int64_t i)
 }
 
 /* Takes over the length of a half step that tells. */
-static void remember_length(const context *c)
+static void remember_length(context *c)
 {
     double *length = c->s.head + S_HALF_1;
     c->s.head[S_KNOWN] += 1.0;

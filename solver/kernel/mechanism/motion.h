@@ -8,7 +8,7 @@
 #include "norms.h"
 
 /* Takes a section of the state, of so many numbers, back from a backup of the state. */
-static inline void take_section(const context *c, double *section, int64_t count, const double *backup)
+static inline void take_section(context *c, double *section, int64_t count, const double *backup)
 {
     memcpy(section, backup + (section - c->s.head), sizeof(double) * (size_t)count);
 }

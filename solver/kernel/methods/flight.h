@@ -8,7 +8,7 @@
 
 #if DIM == 3
 /* Turns the island at hand, places and velocities, by the rotation vector psi about its centre. Returns how far, in the mass norm. */
-HM_SELDOM static double turn_island(const context *c, const kept_motion *x, const double *psi)
+HM_SELDOM static double turn_island(context *c, const kept_motion *x, const double *psi)
 {
     const double theta = sqrt(dot(psi, psi)), half = hm_sin(0.5 * theta), sine = hm_sin(theta) / theta, bend = 2.0 * half * half / (theta * theta);
     double *moved = c->k.w;
@@ -28,7 +28,7 @@ HM_SELDOM static double turn_island(const context *c, const kept_motion *x, cons
 
 /* Turns a body that flies alone, places and velocities, so that its angular momentum points where it is to: an error of a rod's
    axis would else become spin about it, which has hardly any inertia. */
-HM_SELDOM static void turn_to_momentum(const context *c, kept_motion *x)
+HM_SELDOM static void turn_to_momentum(context *c, kept_motion *x)
 {
     int keeps = x->flies && c->node.end - c->node.begin == 1 + TURNING;
     double now[RIGID], size[RIGID], psi[DIM];

@@ -180,7 +180,7 @@ HM_SELDOM static void tell_corrections(context *c, step_result *result)
 #define EACH_FREE(c, k) for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE]; k < k##_end; k++)
 
 /* Adds so much of u (n) to the velocities at hand. */
-static void add_to_velocities(const context *c, double part, const double *u)
+static void add_to_velocities(context *c, double part, const double *u)
 {
     EACH_FREE(c, k) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
 }
@@ -217,7 +217,7 @@ HM_SELDOM static int is_round_off(const context *c, const kept_motion *x, double
 }
 
 /* Brings momenta of the island at hand back that are kept, by a motion as one rigid body: L is its mass matrix (factor_rigid). */
-HM_SELDOM static void put_momenta_back(const context *c, kept_motion *x, double L[RIGID][RIGID])
+HM_SELDOM static void put_momenta_back(context *c, kept_motion *x, double L[RIGID][RIGID])
 {
     double lacking[RIGID], size[RIGID];
     momenta_now(c, x, lacking, size);

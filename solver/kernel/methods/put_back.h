@@ -81,7 +81,7 @@ HM_SELDOM static int32_t close_rows(context *at)
 }
 
 /* Takes from the velocities of directors what is not a turn of their body. */
-HM_SELDOM static void turn_as_bodies(const context *at)
+HM_SELDOM static void turn_as_bodies(context *at)
 {
     EACH_TURN(at, b) {
         const int32_t first = DIM * at->m->body_node[b];

@@ -40,7 +40,7 @@ HM_SELDOM static int may_step_explicitly(const context *c)
 static int ends_explicitly(const context *c) { return c->s.head[S_HALVES] == 0.0 && c->s.head[S_KNOWN] > 0.0; }
 
 /* Longest explicit step, where the last one was none. */
-HM_SELDOM static void find_longest(const context *c)
+HM_SELDOM static void find_longest(context *c)
 {
     context at = rows_at_state(c);
     take_unknowns(&at);

@@ -78,7 +78,7 @@ static void rate_of_rotation(const double *psi, const double *omega, double *psi
 }
 
 /* Turns the directors from node a on by the rotation vector psi; their velocities are those of omega. */
-static void turn_by(const context *at, int32_t a, const double *psi, const double *omega)
+static void turn_by(context *at, int32_t a, const double *psi, const double *omega)
 {
     double square = 0.0, x[DIM], y[DIM];
     for (int k = 0; k < TURNING; k++) square += psi[k] * psi[k];

@@ -188,7 +188,7 @@ enum {
 };
 
 /* Opens closed contacts that pull, and closes open ones that overlap, or the first of these; 0 if none does. */
-static int change_objecting(const context *c, int the_first)
+static int change_objecting(context *c, int the_first)
 {
     const double most = PENETRATION * c->number[c->m->extent_at];
     int changed = 0;
