@@ -74,7 +74,7 @@ HM_SELDOM static void follow_jumps(context *c)
     forget_momenta(c); /* which drivers change */
     follow_drivers(c);
     take_unknowns(&at);
-    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
+    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) held = put_back(c, &at) != HOLONOM_OK;
     /* Velocities of a body that has turned far want factors of where it is now. */
     const int is_placed = !held && !factorise_here(&at);
     if (is_placed) {

@@ -1,7 +1,5 @@
-/* Elements: what stores, takes or gives energy along quantities, one record of functions for each kind (theory 5).
-
-   The slopes of all kinds over a step come from next_slopes, which residual, tangent and ledger call. What else is asked of an
-   element is here: kinds differ nowhere else. */
+/* Elements: what stores, takes or gives energy along quantities, one record of functions for each kind (theory 5). Slopes over a step
+   come from next_slopes, for residual, tangent and ledger; what else is asked of an element is here. */
 #ifndef HOLONOM_ELEMENTS_H
 #define HOLONOM_ELEMENTS_H
 
@@ -12,7 +10,7 @@ typedef struct element_work {
     double done, lost;
 } element_work;
 
-/* Largest coefficients along a quantity: of the force with the quantity's rate, and without either. */
+/* Factor of the rate in the force of a damper, and the force of a drive. */
 typedef struct element_bound {
     double damping, drive;
 } element_bound;
@@ -34,8 +32,7 @@ static inline int32_t next_element(const context *c, int32_t j)
 #define EACH_ELEMENT(c, j)                                                                                                                 \
     for (int32_t j##_end = (c)->end[ISLAND_POTENTIAL], j = next_element(c, (c)->begin[ISLAND_ELEMENT]); j < j##_end; j = next_element(c, j + 1))
 
-/* ------------------------------------------------------------------------------ springs, dampers and drives */
-
+/* Of springs, dampers and drives, which act along one quantity. */
 static inline int32_t quantity_of_element(const context *c, int32_t j) { return c->m->leaf[4 * c->m->leaf_ptr[j] + 1]; }
 
 static double linear_energy(const context *c, int32_t j)
@@ -80,10 +77,6 @@ static element_work linear_rate(const context *c, int32_t j, double time)
     return (element_work){time * x.drive * rate, time * x.damping * rate * rate};
 }
 
-/* --------------------------------------------------------------------------------------------- potentials */
-
-static double potential_energy(const context *c, int32_t j) { return function_value(c, j); }
-
 static void add_potential_sizes(const context *c, int32_t j, double *sum)
 {
     const hm_registers *r = &c->k.r;
@@ -115,21 +108,18 @@ static element_bound potential_bound(const context *c, int32_t j)
     return (element_bound){c->number[c->m->depth_damping_at + (j - first_potential(c))], 0.0};
 }
 
-/* -------------------------------------------------------------------------------------------------- kinds */
-
 static const element_kind LINEAR = {linear_energy, add_linear_sizes, linear_step, linear_rate, linear_bound},
-                          POTENTIAL = {potential_energy, add_potential_sizes, potential_step, potential_rate, potential_bound};
+                          POTENTIAL = {function_value, add_potential_sizes, potential_step, potential_rate, potential_bound};
 
 static inline const element_kind *kind_of(const context *c, int32_t j) { return j < c->m->n_elements ? &LINEAR : &POTENTIAL; }
 
-/* Whether an element at hand may take energy out. */
+/* Whether an element at hand may take energy out, and whether one may do work. */
 static int has_dampers(const context *c)
 {
     EACH_ELEMENT(c, j) if (kind_of(c, j)->bound(c, j).damping != 0.0) return 1;
     return 0;
 }
 
-/* Whether drives may do work. */
 static int has_drives(const context *c)
 {
     EACH_ELEMENT(c, j) if (kind_of(c, j)->bound(c, j).drive != 0.0) return 1;

@@ -81,8 +81,7 @@ static int32_t take_weighted(context *c, const double *booked, step_result *resu
     context at = rows_at_state(c);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
-    int unused;
-    if (!status) status = put_back(c, &at, &unused);
+    if (!status) status = put_back(c, &at);
     tell_corrections(c, result);
     suspend_sliding(c, 0);
     follow_turns(c);

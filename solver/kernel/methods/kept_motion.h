@@ -87,10 +87,10 @@ static double potential_of_island(const context *c)
 /* What dampers (S_DISSIPATED), or frictions (S_FRICTION), of the island at hand have taken in the step. */
 HM_SELDOM static double lost_of(const context *c, int account)
 {
-    static const int PARTS[2][2] = {{ISLAND_ELEMENT, ISLAND_POTENTIAL}, {ISLAND_FUNCTION, ISLAND_VELOCITY}};
     double sum = 0.0;
-    for (int k = 0; k < 2; k++)
-        for IN_ISLAND(c, j, PARTS[account == S_FRICTION][k]) sum += c->k.loss[j];
+    if (account == S_DISSIPATED) EACH_ELEMENT(c, j) sum += c->k.loss[j];
+    else for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
+        for IN_ISLAND(c, j, k) sum += c->k.loss[j];
     return sum;
 }
 

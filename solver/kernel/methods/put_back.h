@@ -244,18 +244,16 @@ HM_SELDOM static void put_only_velocities_back(context *c)
     if (!done) take_state(c, before);
 }
 
-/* Likewise coordinates, ahead of velocities; `held` says whether they cannot be, also where rows are too weak for it. */
-HM_SELDOM static int32_t put_back(context *c, context *at, int *held)
+/* Likewise coordinates, ahead of velocities; returns a failure where they cannot be, also where rows are too weak for it. */
+HM_SELDOM static int32_t put_back(context *c, context *at)
 {
     int32_t status = HOLONOM_OK;
-    *held = 0;
     EACH_ISLAND_OF_BOTH(c, at, island) {
         if (status) continue;
         for (int i = 0; i < 2; i++) EACH_TURN(at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
         status = close_rows(at);
         if (!status && !put_island_velocities_back(c, at)) status = HOLONOM_NOT_FINITE;
     }
-    *held = status != HOLONOM_OK;
     return status;
 }
 

@@ -334,8 +334,8 @@ HM_SELDOM static void book_works(context *c)
     }
 }
 
-/* Stages and end of a step, put back. */
-HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, step_result *result, int *held)
+/* Stages and end of a step, to be put back; factors are those of the end. */
+HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, step_result *result)
 {
     int32_t status = keep_explicit_start(c, at);
     keep_motion(c, h);
@@ -360,10 +360,7 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     if (!status) book_works(c);
     if (!status) status = factorise_here(at);
     result->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(result->difference, 1e-30), 1.0 / x->order);
-    if (status) return status;
-    result->free_part = free_part(at, x);
-    status = put_back(c, at, held);
-    tell_corrections(c, result);
+    if (!status) result->free_part = free_part(at, x);
     return status;
 }
 
@@ -384,19 +381,21 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h, step_result *res
     const runge_kutta *x = method_of_order((int)c->s.head[S_ORDER_IN_USE]);
     const double t = c->t;
     double *before = c->k.pair_backup; /* which undo_step returns to */
-    int held = 0;
     context at = rows_at_state(c);
     take_unknowns(&at);
     c->h = h;
     c->halves = x->stages;
-    int32_t status = step_explicitly(c, &at, x, h, result, &held);
+    int32_t status = step_explicitly(c, &at, x, h, result);
     /* Some weights are negative, those of pairs are not; and a stage lies on a singular place. */
     if (status == HOLONOM_DAMPING_REVERSED || status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;
-    if (held) {
+    if (!status && put_back(c, &at)) {
         before[S_HELD] += 1.0;
         return HOLONOM_OK;
     }
-    if (!status) status = remember_end(c, &at);
+    if (!status) {
+        tell_corrections(c, result);
+        status = remember_end(c, &at);
+    }
     if (status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;
     if (status == HOLONOM_NOT_FINITE) find_forces_at_start(c, &at, t, h);
     if (status) return status;

@@ -14,8 +14,7 @@ static int is_short(const context *c, double h) { return h < SHORTEST_PIECE * us
 /* Whether loads, drivers or moving surfaces may do work. */
 HM_SELDOM static int has_loads(const context *c)
 {
-    const holonom_model *m = c->m;
-    return m->n_signals > 0 || n_frictions(m) > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0 || has_drives(c);
+    return c->m->n_signals > 0 || n_frictions(c->m) > 0 || is_loaded(c) || has_drives(c);
 }
 
 /* Power that dampers, and frictions that slide, take at the state, with the forces evaluated. */
