@@ -147,7 +147,7 @@ def _run(
                 integrator.time, start + (k + 1) * duration / steps - integrator.time
             )
             rows.append(np.array(integrator.get(indices), float))
-            iterations += integrator["solver.newton_iterations"]
+            iterations += float(integrator["solver.newton_iterations"])
             if unknowns > MANY and unknowns * iterations > MOST_ITERATIONS:
                 break
     except (AssemblyError, OptionError, StepError) as error:
