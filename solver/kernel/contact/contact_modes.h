@@ -61,7 +61,7 @@ static int32_t find_modes_by_law(context *c, int begun)
     for (int32_t k = 0; k < x.law.contacts && !status; k++)
         for (int32_t r = x.law.first[k]; r <= x.law.first[k] + x.law.tangents[k] && !status; r++) {
             memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-            status = r == x.law.first[k] ? add_push(c, x.contact[k], -AT_STATE) : add_row_gradient(c, x.row[r], -AT_STATE);
+            status = r == x.law.first[k] ? add_push(c, x.contact[k], -1.0) : add_row_gradient(c, x.row[r], -1.0);
             velocities_of_impulses(c, c->k.hit_reach + n * r);
         }
     if (!status) status = fill_matrix(c, rows, x.row, x.W);

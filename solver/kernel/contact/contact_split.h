@@ -248,7 +248,7 @@ HM_SELDOM static int32_t add_reshare(const context *c, const shared_forces *x, d
             const int32_t at = x->first[k] + (x->tangents[k] ? u - x->unit[k] + is_joint : 0);
             const double force = x->ray[u] * (size * s->force[at] - x->p[at]) / sqrt(x->weight[at]);
             mu[row_of(c, x->row[u])] -= force;
-            status = add_row_gradient(c, x->row[u], -AT_STATE * force);
+            status = add_row_gradient(c, x->row[u], -force);
         }
     }
     if (status) return status;

@@ -140,7 +140,7 @@ HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double 
     clear_nodes(at, u);
     EACH_FREE(at, k) u[k] = at->s.v[k] + at->s.v_low[k];
     for (int repeat = 0; repeat < 3 && asks; repeat++) leave_free(at, u); /* what regularised factors leave is corrected again */
-    inertia(at, 2.0, u, at->k.momentum);
+    inertia(at, 1.0, u, at->k.momentum);
     rigid_momenta(at, x->centre, x->kept, at->k.momentum, momentum, unused);
     for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
     add_rigid(at, x->centre, L, momentum, u);

@@ -181,7 +181,7 @@ HM_SELDOM static void look_for_forces(const context *c, double h, const double *
 {
     double rate[RIGID], size[RIGID];
     if (x->flies && !is_loaded(c)) return;
-    inertia(c, 2.0, a, c->k.momentum);
+    inertia(c, 1.0, a, c->k.momentum);
     find_centre(c, x);
     rigid_momenta(c, x->centre, x->kept, c->k.momentum, rate, size);
     for (int i = 0; i < RIGID; i++) x->kept[i] &= fabs(h * rate[i] - x->impulse[i]) <= MOMENTUM_ROUND_OFF * fmax(h * size[i], x->scale[i]);
@@ -302,7 +302,7 @@ HM_SELDOM static int32_t hold_driven(const context *at, const double *a, const d
     memcpy(at->k.w, a, sizeof(double) * (size_t)(DIM * at->n_moving));
     memcpy(at->k.mu, mu, sizeof(double) * (size_t)at->m->n_rows);
     const int32_t status = residual_at_state(at);
-    for (int32_t k = first; k < DIM * at->n_moving; k++) force[k - first] = at->k.momentum[k] / AT_STATE;
+    for (int32_t k = first; k < DIM * at->n_moving; k++) force[k - first] = at->k.momentum[k];
     return status;
 }
 
@@ -371,7 +371,7 @@ HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, do
     follow_signals(c, t, h, 0.0);
     laws_within(at, t, h, 0.0);
     accelerate_all(at);
-    inertia(c, 2.0, c->s.a[0], c->k.momentum);
+    inertia(c, 1.0, c->s.a[0], c->k.momentum);
 }
 
 /* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after

@@ -357,7 +357,7 @@ static int can_move(closing *x)
     for (int32_t a = 0; a < at->m->n_free; a = next_unknown(at, a))
         for (int k = 0; k < unknown_size(at, a); k++)
             left -= at->k.momentum[DIM * a + k] * at->k.rhs[at->lu->node_position[a] + k];
-    return !(AT_STATE * fabs(left) < 1e-4 * all);
+    return !(fabs(left) < 1e-4 * all);
 }
 
 /* Tries from shaken drawings. Where a pose is `known`, which lies in pair_backup, some tell whether there are others; else the nearest
