@@ -31,7 +31,7 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check
 INSTALL := $(PIP) install --quiet --no-compile --editable
 # Of the kernel of who changes it: a newer compiler than ours may warn, and stops no user.
 WARNINGS := -Werror -Wshadow -Wcast-qual -Wconversion -Wno-sign-conversion
-BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h solver/kernel/*.py) \
+BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.[ch] solver/kernel/*/*.[ch] solver/kernel/*.py) \
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h fmu_src/native/*.def) build_fmu/platforms.py \
     solver/runtime/layout.py solver/runtime/errors.py
 

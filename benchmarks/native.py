@@ -23,7 +23,7 @@ from benchmarks.processes import printed
 from benchmarks.report import Goal, Section, Table, Value
 from build_fmu import build, sweep
 from build_fmu.platforms import SCOPES, library_scope
-from build_kernel.compiler import CompilerError, Kind, any_compiler, compile_library
+from build_kernel.compiler import CompilerError, Kind, any_compiler, compile_library, includes
 
 ROOT = Path(__file__).resolve().parents[1]
 SCENES = ("double_pendulum", "four_bar", "bricard", "pendulum_with_stop", "flyball_governor")
@@ -166,7 +166,7 @@ def _compiled(kind: Kind, folder: Path) -> tuple[Path, Path]:
     sources, name = ROOT / "solver/kernel", f"{kind.dimension}_{kind.scope}"
     kernel, host = folder / f"kernel_{name}.so", folder / f"host_{name}"
     compile_library(compiler, sources, kind, kernel)
-    include = f"-I{ROOT / 'fmu_src/native'}", f"-I{sources}"
+    include = f"-I{ROOT / 'fmu_src/native'}", *includes(sources)
     macros = f"-DDIM={kind.dimension}", f"-DHM_SCOPE={SCOPES.index(kind.scope)}"
     program = str(ROOT / "benchmarks/native_calls.c"), "-o", str(host), "-ldl"
     printed([*compiler, "-std=c99", "-O2", *include, *macros, *program])

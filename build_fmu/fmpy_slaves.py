@@ -70,7 +70,7 @@ class FMU3Run(FMU3Slave):
 
 
 class _Host(ctypes.Structure):
-    """As in solver/kernel/host.c."""
+    """As in solver/kernel/run/host.c."""
 
     _fields_ = (
         *((name, c_void_p) for name in ("fmu", "step", "get", "reference")),

@@ -89,7 +89,8 @@ def source_files(fmi: int) -> dict[str, bytes]:
         text = f"{kernel}/model_tables.h is missing; compile the kernel: python -m build_kernel"
         raise EnvironmentLackError(text)
     others = f"fmi{5 - fmi}.", "host."
-    paths = sorted(p for f in (kernel, slave) for p in f.iterdir() if p.suffix in SUFFIXES)
+    paths = [p for p in sorted(kernel.rglob("*"), key=lambda p: p.name) if p.suffix in SUFFIXES]
+    paths += sorted(p for p in slave.iterdir() if p.suffix in SUFFIXES)
     chosen = [path for path in paths if not path.name.startswith(others)]
     text = {p.name: p.read_text(encoding="utf-8") for p in chosen}
     units = [_FILE.format(name=name) for name in text if name.endswith(".c")]

@@ -1,4 +1,4 @@
-"""Compile `solver/kernel/*.c` into the two shared libraries of which `solver.runtime` loads one.
+"""Compile `solver/kernel` into the two shared libraries of which `solver.runtime` loads one.
 
 One is for mechanisms in the plane, one for those in space, as no mechanism needs both.
 
@@ -81,7 +81,7 @@ def compile_kernel(root: Path) -> list[Path]:
     They are those of this platform: for Python and, where FMI has a name for it, for FMUs.
     """
     compiler = any_compiler()
-    if not any((root / SOURCES).glob("*.c")):
+    if not kernel_sources(root / SOURCES):
         text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
         raise CompilerError(text)
     system, own = platform.system(), own_platform()
@@ -206,16 +206,27 @@ def compile_library(
         When the compiler refuses; the text has its message.
     """
     write_headers(folder.parent)
-    sources = sorted(path.name for path in folder.glob("*.c"))
+    sources = [str(path.relative_to(folder)) for path in kernel_sources(folder)]
     if kind.slave is not None:
         sources += sorted(str(path.resolve()) for path in kind.slave.glob("*.c"))
-        options = ("-DHOLONOM_STATIC", f"-I{folder.resolve()}", *options)
+        options = ("-DHOLONOM_STATIC", *options)
     macros = f"-DDIM={kind.dimension}", f"-DHM_SCOPE={SCOPES.index(kind.scope)}"
-    options = (*flags(system or platform.system()), *macros, *options)
+    options = (*flags(system or platform.system()), *macros, *includes(folder), *options)
     command = [*compiler, *options, "-o", str(target), *sources, "-lm"]
     run = _run(command, folder, str(target.parent))
     if run.returncode != 0:
         raise CompilerError(_failure(command, run.stdout))
+
+
+def kernel_sources(folder: Path) -> list[Path]:
+    """C files of the kernel, in its folder and the rooms below, by name: names occur once."""
+    return sorted(folder.rglob("*.c"), key=lambda path: path.name)
+
+
+def includes(folder: Path) -> list[str]:
+    """Options for a compiler to find each header of the kernel by its name alone."""
+    rooms = {path.parent.resolve() for path in folder.rglob("*.h")}
+    return [f"-I{room}" for room in sorted(rooms)]
 
 
 def any_compiler() -> list[str]:

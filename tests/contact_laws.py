@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from build_kernel.compiler import FLAGS, system_compiler, zig_compiler
+from build_kernel.compiler import FLAGS, includes, system_compiler, zig_compiler
 from tests.problems import Array
 
 SHIM = Path(__file__).parent / "contact_laws.c"
@@ -94,7 +94,7 @@ class Laws:
     def __init__(self, folder: Path) -> None:
         target = folder / "contact_laws.so"
         compiler = system_compiler() or zig_compiler() or ["cc"]
-        options = [*FLAGS, *STRICT, "-DDIM=3", f"-I{KERNEL}"]
+        options = [*FLAGS, *STRICT, "-DDIM=3", *includes(KERNEL)]
         subprocess.run(
             [
                 *compiler,
@@ -102,7 +102,7 @@ class Laws:
                 "-o",
                 str(target),
                 str(SHIM),
-                str(KERNEL / "exponential.c"),
+                str(KERNEL / "math" / "exponential.c"),
                 "-lm",
             ],
             check=True,

@@ -93,7 +93,7 @@ def run_tests(copy: Path, arguments: list[str]) -> None:
 
 def counted(folder: Path) -> Counts:
     """Read the counts in a folder of `copy_that_counts`."""
-    sources = [str(folder / "copy" / x) for x in (SOURCES, SLAVE_SOURCES)]
+    sources = [folder / "copy" / x for x in (SOURCES, SLAVE_SOURCES)]
     functions, lines, branches = defaultdict(bool), defaultdict(bool), defaultdict(bool)
     for notes in sorted(folder.glob("counts/*/*.gcno")):
         command = ["gcov", "-b", "-j", "-t", str(notes)]
@@ -101,7 +101,7 @@ def counted(folder: Path) -> Counts:
         found: dict[str, Any] = json.loads(run.stdout)
         for file in found["files"]:
             path = Path(found["current_working_directory"], file["file"])
-            if str(path.parent) not in sources:
+            if not any(path.is_relative_to(source) for source in sources):
                 continue
             name = str(path.relative_to(folder / "copy"))
             for x in file["functions"]:

@@ -21,7 +21,7 @@ import mpmath
 from build_kernel.compiler import system_compiler, zig_compiler
 
 KERNEL = Path(__file__).parent.parent / "solver" / "kernel"
-SOURCES = [str(KERNEL / name) for name in ("exponential.c", "trigonometric.c")]
+SOURCES = [str(KERNEL / "math" / name) for name in ("exponential.c", "trigonometric.c")]
 ONE = (
     "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "atanh",
 )  # fmt: skip

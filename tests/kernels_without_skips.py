@@ -52,7 +52,7 @@ needs_compiler = pytest.mark.skipif(
 def _digest() -> str:
     """Hash of all that makes a kernel."""
     digest = hashlib.sha256(" ".join([*flags(platform.system()), OPTIMISATION]).encode())
-    for path in [*sorted(FOLDER.iterdir()), COUNTER, CHOICE, PROBE]:
+    for path in [*sorted(FOLDER.rglob("*.[ch]")), COUNTER, CHOICE, PROBE]:
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()[:16]
 
@@ -70,7 +70,7 @@ def _compiled(dimension: int) -> Path:
         options = [OPTIMISATION, "-DHOLONOM_WITHOUT=holonom_without", "-include", str(CHOICE)]
         options += ["-DHOLONOM_ENERGY_DECIDES=holonom_energy_decides"]
         options += [*(WRAPPED if sys.platform == "linux" else ["-DUNWRAPPED"]), str(COUNTER)]
-        options += [f"-I{FOLDER}", str(PROBE)]
+        options += [str(PROBE)]
         compile_library(compiler, FOLDER, Kind(dimension), mine, *options)
         mine.replace(target)
     return target

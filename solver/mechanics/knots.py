@@ -16,7 +16,7 @@ from solver.scene import Expr, Number
 from solver.scene.expression import Curve, operate
 
 _ROW = 6
-"""Numbers of a row of a table: x_k and five coefficients (``solver/kernel/spline.c``)."""
+"""Numbers of a row of a table: x_k and five coefficients (``solver/kernel/tape/spline.c``)."""
 _BEYOND = 1e-3
 """Part of the slope beside it that the argument has beyond an end, which it seldom leaves again."""
 

@@ -7,7 +7,7 @@ the first one and none those of another. Equal subexpressions of a segment are c
 
 Laws and signals that jump or have a kink are smooth in pieces. What decides between these, such as
 t - 0.6 of ``1 if t < 0.6 else -1``, is the argument of a switch; the operation reads on which side
-that is, and the core changes the side where a step ends at it (``solver/kernel/switches.h``).
+that is, and the core changes the side where a step ends at it (``solver/kernel/tape/switches.h``).
 """
 
 from __future__ import annotations

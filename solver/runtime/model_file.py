@@ -1,4 +1,4 @@
-"""The bytes of a model, as ``solver/kernel/model_file.h`` lays them out: read here.
+"""The bytes of a model, as ``solver/kernel/run/model_file.h`` lays them out: read here.
 
 ``model_writing`` writes them.
 

@@ -1,4 +1,4 @@
-"""Writes the bytes of a model, as ``solver/kernel/model_file.h`` lays them out; not for a run."""
+"""Writes the bytes of a model, laid out as in ``solver/kernel/run/model_file.h``; not for a run."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ def _in_core(name: str) -> Callable[..., float]:
 
 
 class Curve(NamedTuple):
-    """Numbers of a profile, in the form of ``solver/kernel/spline.c``: operand of a spline."""
+    """Numbers of a profile, in the form of ``solver/kernel/tape/spline.c``: operand of a spline."""
 
     name: str
     numbers: Sequence[float]
@@ -70,7 +70,7 @@ class Curve(NamedTuple):
 
 
 class Grid(Curve):
-    """Numbers of a spline of three coordinates, in the form of ``solver/kernel/grid.c``.
+    """Numbers of a spline of three coordinates, in the form of ``solver/kernel/tape/grid.c``.
 
     They are an array, of up to a million; two grids are equal if they share it.
     """

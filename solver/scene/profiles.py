@@ -235,7 +235,7 @@ def table_of(
     periodic: bool = False,
     integrate: bool = False,
 ) -> tuple[float, ...]:
-    """Return the table of the curve through points, in the form of ``solver/kernel/spline.c``.
+    """Return the table of the curve through points, in the form of ``solver/kernel/tape/spline.c``.
 
     Where `slopes` at the points are given, they make the curve.
     """

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import solver
+from build_kernel.compiler import includes, kernel_sources
 from tests.sanitize import has_thread_sanitizer
 
 HERE = Path(__file__).parents[1]
@@ -25,8 +26,8 @@ def test_threads_on_one_model_end_with_the_same_bits(tmp_path):
     file, program = tmp_path / "model.bin", tmp_path / "threads"
     file.write_bytes(model.file)
     flags = ["-std=gnu99", "-O0", "-g", "-fsanitize=thread", f"-DDIM={model.sizes['dim']}"]
-    sources = [str(HERE / "core_threads.c"), *map(str, sorted(KERNEL.glob("*.c")))]
-    command = ["gcc", *flags, f"-I{KERNEL}", *sources, "-o", str(program), "-lm", "-lpthread"]
+    sources = [str(HERE / "core_threads.c"), *map(str, kernel_sources(KERNEL))]
+    command = ["gcc", *flags, *includes(KERNEL), *sources, "-o", str(program), "-lm", "-lpthread"]
     subprocess.run(command, check=True)
     numbers = len(model.variables), model.experiment.step_size
     hashes = []

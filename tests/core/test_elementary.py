@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 from mpmath import asin, atan, chebyfit, log, mp, mpf, pi, sqrt
 
-from build_kernel.compiler import system_compiler, zig_compiler
+from build_kernel.compiler import includes, system_compiler, zig_compiler
 from tests.elementary_errors import KERNEL, ONE, SOURCES, TWO, argument, core, largest_error
 
 CASES = 1500
@@ -108,7 +108,7 @@ def test_the_bits_are_the_same_from_each_compiler_and_on_each_machine(compiler, 
     files = [*SOURCES, str(Path(__file__).parents[1].joinpath("elementary_bits.c"))]
     target = str(tmp_path / "bits")
     subprocess.run(
-        [*command, *flags.split(), f"-I{KERNEL}", *files, "-o", target, "-lm"], check=True
+        [*command, *flags.split(), *includes(KERNEL), *files, "-o", target, "-lm"], check=True
     )
     found = subprocess.run(
         [*run, target, str(BITS_CASES)], check=True, stdout=subprocess.PIPE, text=True
@@ -118,7 +118,7 @@ def test_the_bits_are_the_same_from_each_compiler_and_on_each_machine(compiler, 
 
 def table_of(name: str) -> list[float]:
     """Numbers of a table, as the core has them."""
-    files = (*KERNEL.glob("exponential*"), *KERNEL.glob("trigonometric*"))
+    files = (*KERNEL.glob("math/exponential*"), *KERNEL.glob("math/trigonometric*"))
     text = "".join(path.read_text("utf-8") for path in files)
     (body,) = re.findall(rf" {name}\[\d+\] = (.*?);", text, re.DOTALL)
     return [float.fromhex(x) for x in re.findall(r"-?(?:0x1[.0-9a-f]*p[-+]\d+|0\.0)", body)]

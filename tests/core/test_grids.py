@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.interpolate import NdBSpline
 
-from build_kernel.compiler import SOURCES, flags, system_compiler
+from build_kernel.compiler import SOURCES, flags, includes, system_compiler
 from solver.scene.expression import Grid, apply
 
 Array = NDArray[np.float64]
@@ -36,9 +36,11 @@ needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler for 
 def library() -> ctypes.CDLL:
     """The file of the core that has grids, by itself."""
     target = Path(_FOLDER.name, "grids.so")
-    source = Path(__file__).parents[2] / SOURCES / "grid.c"
-    options = [*flags(platform.system()), "-fvisibility=default", "-DDIM=3"]
-    subprocess.run([*COMPILER, *options, "-o", str(target), str(source), "-lm"], check=True)
+    kernel = Path(__file__).parents[2] / SOURCES
+    options = [*flags(platform.system()), *includes(kernel), "-fvisibility=default", "-DDIM=3"]
+    subprocess.run(
+        [*COMPILER, *options, "-o", str(target), str(kernel / "tape" / "grid.c"), "-lm"], check=True
+    )
     loaded = ctypes.CDLL(str(target))
     loaded.hm_grid.restype = ctypes.c_double
     loaded.hm_grid.argtypes = [ctypes.c_int, *[ctypes.c_void_p] * 3]

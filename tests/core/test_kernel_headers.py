@@ -12,8 +12,10 @@ from pathlib import Path
 
 import pytest
 
+from build_kernel.compiler import includes
+
 KERNEL = Path(__file__).parents[2] / "solver" / "kernel"
-HEADERS = sorted(KERNEL.glob("*.h"))
+HEADERS = sorted(KERNEL.rglob("*.h"))
 COMPILER = shlex.split(os.environ.get("CC", "cc"))
 
 
@@ -22,7 +24,12 @@ COMPILER = shlex.split(os.environ.get("CC", "cc"))
 def test_each_header_compiles_alone(dimension):
     options = ["-std=c99", f"-DDIM={dimension}", "-fsyntax-only", "-x", "c"]
     options += ["-Werror=implicit-function-declaration"]
-    command = [*COMPILER, *options, *map(str, HEADERS)]  # each is a unit of its own
+    command = [
+        *COMPILER,
+        *options,
+        *includes(KERNEL),
+        *map(str, HEADERS),
+    ]  # each is a unit of its own
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
 

@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from build_kernel.compiler import SOURCES, flags, system_compiler
+from build_kernel.compiler import SOURCES, flags, includes, system_compiler
 from solver.mechanics.tape import CODE
 from solver.runtime import OptionError
 from solver.runtime.kernel import shared_library
@@ -34,9 +34,12 @@ needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler for 
 def library():
     """The file of the core that has splines, by itself."""
     target = Path(_FOLDER.name, "splines.so")
-    source = Path(__file__).parents[2] / SOURCES / "spline.c"
-    options = [*flags(platform.system()), "-fvisibility=default", "-DDIM=2"]
-    subprocess.run([*COMPILER, *options, "-o", str(target), str(source), "-lm"], check=True)
+    kernel = Path(__file__).parents[2] / SOURCES
+    options = [*flags(platform.system()), *includes(kernel), "-fvisibility=default", "-DDIM=2"]
+    subprocess.run(
+        [*COMPILER, *options, "-o", str(target), str(kernel / "tape" / "spline.c"), "-lm"],
+        check=True,
+    )
     loaded = ctypes.CDLL(str(target))
     for name, numbers in (("hm_spline", 1), ("hm_spline_slope", 2)):
         function = getattr(loaded, name)

@@ -11,6 +11,7 @@ import subprocess
 from pathlib import Path
 
 import solver
+from build_kernel.compiler import SOURCES, includes
 from solver.scene.meshes import LIBRARIES
 from tests.hostile.calls import SCENE
 from tests.sanitize import OPTIONS, ROOT, SETTINGS, copy_with_sanitizers, sanitized_library
@@ -30,7 +31,7 @@ def prepare(folder: Path) -> None:
     if not (folder / "solver").exists():
         copy_with_sanitizers(folder, "-O1")
     command = ["gcc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror", *OPTIONS]
-    command += [f"-I{ROOT / 'solver' / 'kernel'}", str(HERE / "native.c")]
+    command += [*includes(ROOT / SOURCES), str(HERE / "native.c")]
     subprocess.run([*command, "-o", str(folder / "native"), "-ldl", "-lm"], check=True)
     models = {name: solver.load(ROOT / "scenes" / f"{name}.toml") for name in NAMES}
     words = []

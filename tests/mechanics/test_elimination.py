@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import holonom
-from build_kernel.compiler import FLAGS, system_compiler, zig_compiler
+from build_kernel.compiler import FLAGS, includes, system_compiler, zig_compiler
 from solver import SceneError
 from solver.mechanics.elimination import MOST_PRODUCTS, Graph, Pattern, TreeBody, eliminate
 from solver.runtime.layout import MOST_IN_GROUP
@@ -93,7 +93,8 @@ def block_lu(request, tmp_path_factory) -> ctypes.CDLL:
     target = tmp_path_factory.mktemp("block_lu") / "block_lu.so"
     compiler = system_compiler() or zig_compiler() or ["cc"]
     root = Path(__file__).resolve().parents[2]
-    options = [*FLAGS, "-DDIM=3", "-DHM_SCOPE=2", f"-I{root / 'solver' / 'kernel'}"]
+    kernel = root / "solver" / "kernel"
+    options = [*FLAGS, "-DDIM=3", "-DHM_SCOPE=2", *includes(kernel), f"-I{kernel / 'linear'}"]
     options = [option for option in options if option != "-fvisibility=hidden"] + request.param
     source = root / "tests" / "factors_of_groups.c"
     subprocess.run([*compiler, *options, "-o", str(target), str(source)], check=True)

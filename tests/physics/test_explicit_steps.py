@@ -20,9 +20,9 @@ from tests.mechanism_runs import scene, steps_explicitly
 from tests.problems import GRAVITY
 from tests.twins import vector
 
-TEXT = (Path(__file__).parents[2] / "solver" / "kernel" / "runge_kutta_methods.h").read_text(
-    "utf-8"
-)
+TEXT = (
+    Path(__file__).parents[2] / "solver" / "kernel" / "methods" / "runge_kutta_methods.h"
+).read_text("utf-8")
 """Where the kernel has the coefficients."""
 
 Array = NDArray[np.float64]

@@ -15,7 +15,9 @@ from pathlib import Path
 
 import pytest
 
-TEXT = (Path(__file__).parents[2] / "solver" / "kernel" / "step_halving.h").read_text("utf-8")
+TEXT = (Path(__file__).parents[2] / "solver" / "kernel" / "methods" / "step_halving.h").read_text(
+    "utf-8"
+)
 """Where the kernel has them."""
 
 
