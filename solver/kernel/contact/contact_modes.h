@@ -51,7 +51,7 @@ static int32_t find_modes_by_law(context *c, int begun)
             slides[k] = 1;
             for (int32_t a = 0; a < x.tangents[k]; a++) way[x.first[k] + 1 + a] = along[a];
         } else if (f >= 0)
-            x.coefficient[k] = c->number[m->static_at + f] * (c->gives_way ? 1.0 - WELL_INSIDE : 1.0);
+            x.coefficient[k] = c->number[m->static_at + f] * (c->event.gives_way ? 1.0 - WELL_INSIDE : 1.0);
     }
     const int32_t rows = x.law.rows;
     int32_t status = evaluate_forces(c);
@@ -102,7 +102,7 @@ static int32_t agree_with_forces(context *c)
         if (how == GIVE_WAY && (status = find_modes_by_law(c, together))) return status;
         together |= how >= GIVE_WAY;
         if (how >= GIVE_WAY || (how == NOT_TOGETHER && (tear_loose(c) || open_worst(c, none) || slide_worst(c, none)))) continue;
-        if (turn_back(c) || close_worst(c) || (together && !c->gives_way && hold_still(c))) continue;
+        if (turn_back(c) || close_worst(c) || (together && !c->event.gives_way && hold_still(c))) continue;
         if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
         change--;
     }
@@ -130,7 +130,7 @@ static int32_t settle_modes(context *c)
     }
     if (!status) status = start_with_modes(c);
     if (!status) status = share_means(c);
-    c->gives_way = 0;
+    c->event.gives_way = 0;
     return status;
 }
 

@@ -111,7 +111,7 @@ static int approaches(const context *c, const hit *x)
 }
 
 /* Solves the law of impact, and counts what a user may want to know of it; returns 0, or 1 if no impulses were found. */
-static int solve_hit(const context *c, hit *x)
+static int solve_hit(context *c, hit *x)
 {
     if (hm_solve_impact(&x->law)) return 1;
     c->s.head[S_JAMS] += x->law.jam != 0;

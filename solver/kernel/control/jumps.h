@@ -29,7 +29,7 @@ static void start_anew(context *c)
 
 /* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
    there, and stay where its line ends.                                                                          */
-HM_SELDOM static void end_line(const context *c)
+HM_SELDOM static void end_line(context *c)
 {
     extrapolate(c, c->s.head[S_TIME], c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
     extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
@@ -74,7 +74,7 @@ HM_SELDOM static void follow_jumps(context *c)
     forget_momenta(c); /* which drivers change */
     follow_drivers(c);
     take_unknowns(&at);
-    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
+    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) held = put_back(c, &at) != HOLONOM_OK;
     /* Velocities of a body that has turned far want factors of where it is now. */
     const int is_placed = !held && !factorise_here(&at);
     if (is_placed) {

@@ -348,7 +348,7 @@ HM_SELDOM static void row_biases(context *c)
     memcpy(c->k.w + DIM * m->n_free, c->k.signal_bend, sizeof(double) * (size_t)(DIM * m->n_driven));
 }
 
-HM_SELDOM static void forget_dependent_rows(const context *c)
+HM_SELDOM static void forget_dependent_rows(context *c)
 {
     for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
 }
