@@ -92,7 +92,8 @@ def test_scratch_filled_with_nan_between_steps_changes_nothing(name, tolerance):
 def test_numbers_left_in_scratch_tell_nothing_of_slips_that_begin(left):
     """In stepped mode a stick that lands begins to slide; unlike NaN, a number is a slip."""
     clean, spoilt = (
-        start(SOURCES["crossed_sticks"], step_size=2e-3, order=2.0, contact_mode="stepped") for _ in range(2)
+        start(SOURCES["crossed_sticks"], step_size=2e-3, order=2.0, contact_mode="stepped")
+        for _ in range(2)
     )
     for _ in range(80):
         np.asarray(memoryview(kernel_of(spoilt).work).cast("B").cast("d"))[:] = left
