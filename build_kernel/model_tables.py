@@ -159,7 +159,8 @@ def _vectors(declaration: Declared, table: str) -> Iterator[str]:
             yield "    hm_registers r;"
         elif not name.startswith("r.") and not name.endswith("_second"):
             field = name.replace("_first", "[2]")
-            notes = (declaration.note(x, name) for x in (table, "MOTION", "FOLLOWING", "MODES"))
+            tables = table, *map(str.upper, declaration.values.get("GROUPS", ()))
+            notes = (declaration.note(x, name) for x in tables)
             yield _noted(f"double *{field};", length, next(filter(None, notes), ""))
 
 

@@ -424,18 +424,21 @@ MODES = {
     "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
 }
 """What contacts change."""
+ANGLES = {
+    "turns": "n_quantities",  # full turns of angles so far
+    "sine": "n_quantities",  # of the angles, times a factor
+}
 FOLLOWING = {
     "imbalance": "n", "imbalance_before": "n",  # what Newton's iteration left of the momentum
     # balance in the last half step and in the one before it [kg m/s]
-    "turns": "n_quantities",  # full turns of angles so far
-    "sine": "n_quantities",  # of the angles, times a factor
+    **ANGLES,
     "signal": "n_signals",  # prescribed values at the present time
     "quaternion": "4 * n_oriented",  # w, x, y, z; of continuous sign
     "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
     **MODES,
 }
 """What follows the motion, and goes back with it to the start of a step."""
-GROUPS = {"motion": MOTION, "modes": MODES, "following": FOLLOWING}
+GROUPS = {"motion": MOTION, "angles": ANGLES, "modes": MODES, "following": FOLLOWING}
 """Vectors of a state that lie side by side in this order; `n_...` is the length of each group."""
 COUNTS |= {f"n_{group}": " + ".join(vectors.values()) for group, vectors in GROUPS.items()}
 

@@ -214,3 +214,8 @@ def test_of_several_solutions_the_one_of_least_work_counts(laws):
     most = laws.contacts(W, b, [1], [1.0], [1], way, wanted=1)
     assert least[1].tolist() == [0.0, 0.0]
     assert most[1] == pytest.approx([0.1, -0.1], rel=1e-13)  # (1 - 2) p_N + 0.1 = 0
+
+
+@pytest.mark.parametrize(("load", "holds"), [(1.0, True), (-1.0, False), (np.nan, False)])
+def test_a_contact_holds_what_presses_it_and_no_load_that_is_not_a_number(laws, load, holds):
+    assert laws.holds(load) == holds

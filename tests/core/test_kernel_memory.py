@@ -88,6 +88,20 @@ def test_scratch_filled_with_nan_between_steps_changes_nothing(name, tolerance):
         assert outputs(clean) == outputs(spoilt)
 
 
+@pytest.mark.parametrize("left", [0.0, 1.0, -1e3])
+def test_numbers_left_in_scratch_tell_nothing_of_slips_that_begin(left):
+    """In stepped mode a stick that lands begins to slide; unlike NaN, a number is a slip."""
+    clean, spoilt = (
+        start(SOURCES["crossed_sticks"], step_size=2e-3, order=2.0, contact_mode="stepped")
+        for _ in range(2)
+    )
+    for _ in range(80):
+        np.asarray(memoryview(kernel_of(spoilt).work).cast("B").cast("d"))[:] = left
+        for run in (clean, spoilt):
+            run.advance(run.time, 2e-3)
+        assert bytes(kernel_of(clean).state) == bytes(kernel_of(spoilt).state)
+
+
 @pytest.mark.parametrize("name", ["spring_pendulum", "everything in 2-D", "everything in 3-D"])
 def test_scratch_filled_with_nan_before_an_input_changes_nothing(name):
     clean, spoilt = (start(SOURCES[name]) for _ in range(2))

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import solver
+from tests.support.contact.contact_events import begin
+from tests.support.mechanisms.problems import mechanism
 
 ROLLING = {
     2: """
@@ -82,3 +84,17 @@ def test_what_touches_and_rubs_keeps_momentum_and_angular_momentum(text):
     for word in [name for name in found.names if "momentum." in name]:
         assert np.ptp(found[word]) < 1e-12
     assert np.abs(found["energy.balance"]).max() < 1e-12
+
+
+@pytest.mark.parametrize("mode", ["located", "stepped"])
+def test_friction_so_strong_that_sliding_has_no_forces_is_said_of_its_contact(mode):
+    """A box slides on four corners with a coefficient of 1e12."""
+    size = [0.4, 0.3, 0.2]
+    shape = {"type": "box", "size": size, "density": 1000.0}
+    floor = {"type": "corners", "body": "b", "size": size, "axis": [0, 0, 1], "friction": 1e12}
+    box = {"position": [0, 0, 0.1], "velocity": [1, 0.3, 0], "shape": shape}
+    content = mechanism("box", 3, bodies={"b": box}, contacts={"floor": floor})
+    with pytest.raises((solver.SceneError, solver.AssemblyError, solver.StepError)) as caught:
+        begin(content, contact_mode=mode)
+    assert "contacts.floor: no choice" in str(caught.value)
+    assert "coefficient" in str(caught.value)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy import special
 
 import solver
 from solver.runtime import Integrator
@@ -282,3 +284,73 @@ def test_a_run_that_does_not_follow_its_settings_says_so_once(setting, said):
     assert len(sentences) == bool(said)
     assert all(sentence.startswith(said) for sentence in sentences)
     assert ("tolerance" in setting) == any("equal steps" in sentence for sentence in sentences)
+
+
+@pytest.mark.parametrize("height", [0.0, 0.3])
+@pytest.mark.parametrize("along", [[1.0, 0.0], [0.0, 1.0]], ids=["along", "away"])
+def test_a_point_without_weight_starts_from_rest_under_a_force_that_grows(along, height):
+    """There is no energy before the first half step to measure that one's ledger by.
+
+    By hand x = (t^2/2 + t^3/6)/m. A half step h has the force of its middle, which adds h^3/12m.
+    """
+    mass, h = 3.7, 0.005
+    content = mechanism(
+        "push",
+        2,
+        gravity=False,
+        points={"P": {"position": [0.0, height], "mass": mass}},
+        contacts={"floor": {"type": "plane", "point": "P", "axis": [0, 1]}},
+        forces={"push": {"type": "force", "point": "P", "value": [f"{a}*(1 + t)" for a in along]}},
+    )
+    integrator = begin(content, 2 * h, **STEPPED)
+    passed = cover(integrator, even(1.0, 2 * h))
+    moved = along[0] * number(integrator, "P.x") + along[1] * (number(integrator, "P.y") - height)
+    assert moved == pytest.approx((1 / 2 + 1 / 6) / mass, abs=1.001 * h**2 / 12 / mass)
+    assert passed.error <= CLOSURE
+
+
+@pytest.mark.parametrize("h", [0.02, 0.007])
+@pytest.mark.parametrize(
+    ("law", "after"),
+    [("sequential", [0, 0, 0, 0, 1]), ("simultaneous", [-0.6, 0.4, 0.4, 0.4, 0.4])],
+)
+def test_touching_balls_part_by_the_law_of_impact_that_the_scene_asks_for(law, after, h):
+    """Of five equal balls the first hits the others; both rates keep momentum and energy."""
+    balls = {f"b{k}": {"position": [k + 0.05 * (k > 0), 0], "mass": 0.5} for k in range(5)}
+    balls["b0"]["velocity"] = [1.0, 0.0]
+    pairs = {
+        f"c{k}": {
+            "type": "sphere",
+            "points": [f"b{k}", f"b{k + 1}"],
+            "radii": [0.5, 0.5],
+            "restitution": 1.0,
+        }
+        for k in range(4)
+    }
+    content = mechanism("balls", 2, gravity=False, points=balls, contacts=pairs)
+    integrator = begin(content, h, impact_law=law, **STEPPED)
+    passed = cover(integrator, even(0.2, h))
+    rates = [number(integrator, f"b{k}.vx") for k in range(5)]
+    assert rates == pytest.approx(after, abs=1e-12)
+    assert passed.error <= CLOSURE
+    hit = [number(integrator, f"c{k}.impacts") for k in range(4)]
+    assert hit == ([1.0] * 4 if law == "sequential" else [1.0, 0.0, 0.0, 0.0])
+
+
+def test_the_last_ball_of_a_cradle_swings_as_far_as_the_first_one_did():
+    """By energy; when it comes to rest, half a period of a pendulum, with its elliptic integral."""
+    half = 2 * special.ellipk(math.sin(0.3) ** 2) * math.sqrt(0.5 / 9.81)
+    errors = []
+    for h in (4e-3, 1e-3):
+        run = solver.simulate(
+            SCENES / "newtons_cradle.toml",
+            stop_time=half,
+            step_size=half / 20,
+            outputs=["first", "last", "energy.impact"],
+            contact_mode="stepped",
+            internal_step=h,
+            order=2,
+        )
+        errors.append(max(abs(run["last"][-1] - 0.6), abs(run["first"][-1])))
+        assert abs(run["energy.impact"][-1]) < 1e-4 * 0.25 * 9.81 * 0.5 * (1 - math.cos(0.6))
+    assert errors[1] < errors[0] < 4e-3

@@ -137,8 +137,10 @@ HM_SELDOM static void blame_hardest(context *c)
 
 HM_SELDOM static void let_stick(context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
 
+/* Friction f slides along that direction, from now on: what a step before left for its slip is none. */
 HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
 {
+    for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) != FRICTION_SLIDES; k++) c->k.slip[row_of(c, slip_row(c, f, k))] = NAN;
     friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
     c->sliding = 1;
     for (int k = 0; k < n_slips(c, f); k++) friction_of(c, f)[F_ALONG_1 + k] = along[k];

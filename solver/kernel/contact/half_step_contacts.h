@@ -105,6 +105,10 @@ static void begin_choice(context *c, double h)
         for (int k = 0; k < n_slips(c, f); k++)
             c->k.slip_before[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
         if (mode == FRICTION_SLIDES || !is_of_contact(c, f) || is_deferred(c, f)) guess_friction(c, f);
+        for (int k = 0; k < n_slips(c, f); k++) {
+            const int32_t row = row_of(c, slip_row(c, f, k));
+            c->k.slip[row] = c->k.slip_before[row];
+        }
     }
     EACH_CONTACT(c, i) {
         const touch *x = touch_of(c, i);

@@ -123,7 +123,10 @@ static double largest_of(int32_t n, const double *x)
 /* Whether B x - g is no more than this part of the forces, or of the load. */
 static int is_split(const rest_split *s, double tolerance)
 {
-    return largest_of(s->rank, s->defect) < tolerance * fmax(1.0, largest_of(s->rows, s->force));
+    const double most = tolerance * fmax(1.0, largest_of(s->rows, s->force));
+    for (int32_t k = 0; k < s->rank; k++)
+        if (!(fabs(s->defect[k]) < most)) return 0; /* nor is what is not a number */
+    return 1;
 }
 
 /* Newton's iteration for the forces nearest to `base`: 1: found, -1: there are none, 0: rounding ends it before. */

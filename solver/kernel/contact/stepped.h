@@ -31,8 +31,10 @@ static int32_t try_half(context *c, double h, int half)
     follow_travel(c, c->k.stepped_backup);
     if (has_closed(c) || c->m->n_frictions) status = change_velocities(c);
     if (status) return status;
-    const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
-    const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * c->s.head[S_ENERGY_REFERENCE];
+    const double kinetic = kinetic_energy(c, c->k.momentum), potential = potential_change(c);
+    const double after = ledger_balance(c, kinetic, potential);
+    const double largest = fmax(c->s.head[S_ENERGY_REFERENCE], fmax(kinetic, fabs(potential))); /* the first half step from rest: its own */
+    const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * largest;
     if (HOLONOM_ENERGY_DECIDES && !(fabs(after - before) <= allowed)) return HOLONOM_NEWTON_DIVERGED;
     const double by_hits = booked(c, S_IMPACT) - impact, by_slips = booked(c, S_FRICTION) - friction;
     const double given = fmin(by_slips, 0.0) - fmin(by_hits, 0.0); /* of what both take the sum alone is never negative */

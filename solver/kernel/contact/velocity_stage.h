@@ -126,6 +126,76 @@ static void take_out(context *c, const hit *x, double taken, int lands)
         for (int32_t s = 0; s < n; s++) x->before[r] -= x->W[(int64_t)n * r + s] * x->out[s];
 }
 
+/* Restitution of contact k of an impact that approaches at that rate, of those that `rebound`. */
+static double restitution_of_hit(const context *c, const hit *x, int32_t k, double rate, int rebounds)
+{
+    const int is_fast = -rate > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c));
+    return !is_fast || x->contact[k] < 0 ? 0.0 : rebounds ? c->number[c->m->restitution_at + x->contact[k]] : x->restitution[k];
+}
+
+/* Lets the rows of all contacts take part, or those of contact `alone` and of joints that rub, from rates at hand: of the others W and
+   rates are 0. */
+static void let_take_part(const hit *x, const double *W, const double *rate, int32_t alone)
+{
+    const int32_t n = x->law.rows;
+    for (int32_t k = 0; k < x->law.contacts; k++) {
+        const int acts = alone < 0 || k == alone || x->contact[k] < 0;
+        for (int32_t r = x->first[k]; r <= x->first[k] + x->tangents[k]; r++) {
+            x->before[r] = acts ? rate[r] : 0.0;
+            for (int32_t s = 0; s < n; s++) x->W[(int64_t)n * r + s] = acts ? W[(int64_t)n * r + s] : 0.0;
+        }
+    }
+    for (int32_t k = 0; k < x->law.contacts && alone >= 0; k++)
+        for (int32_t s = x->first[k]; s <= x->first[k] + x->tangents[k] && k != alone && x->contact[k] >= 0; s++)
+            for (int32_t r = 0; r < n; r++) x->W[(int64_t)n * r + s] = 0.0;
+}
+
+/* Impulses by the sequential law: the contact that approaches fastest is hit alone, again and again, until none approaches. What was
+   closed rebounds if others drive it together. One that does not rebound takes along all that touch. The rate before of a contact that
+   is hit is then that of its first hit. 0, or 1 if no impulses were found. */
+static int solve_in_sequence(const context *c, hit *x)
+{
+    const int32_t n = x->law.rows;
+    double *W = c->k.rest, *rate = W + (int64_t)n * n, *impulse = rate + n, *before = impulse + n, *own = before + n;
+    int status = 0;
+    memcpy(W, x->W, sizeof(double) * (size_t)n * (size_t)n);
+    memcpy(rate, x->before, sizeof(double) * (size_t)n);
+    memcpy(own, x->restitution, sizeof(double) * (size_t)n);
+    for (int32_t r = 0; r < n; r++) impulse[r] = 0.0;
+    for (int32_t k = 0; k < x->law.contacts; k++) {
+        const int lands = x->contact[k] >= 0 && has_landed(touch_of(c, x->contact[k]));
+        before[x->first[k]] = lands ? rate[x->first[k]] : 0.0;
+    }
+    for (int hits = 0; !status; hits++) {
+        int32_t fastest = -1;
+        double most = -speed_tolerance(c);
+        for (int32_t k = 0; k < x->law.contacts; k++)
+            if (x->contact[k] >= 0 && rate[x->first[k]] < most) most = rate[x->first[k]], fastest = k;
+        if (fastest < 0) break;
+        memcpy(x->restitution, own, sizeof(double) * (size_t)n);
+        const int alone = restitution_of_hit(c, x, fastest, most, hits > 0) > 0.0;
+        for (int32_t k = 0; k < x->law.contacts; k++) x->restitution[k] = restitution_of_hit(c, x, k, rate[x->first[k]], hits > 0);
+        if (alone && before[x->first[fastest]] == 0.0) before[x->first[fastest]] = most;
+        let_take_part(x, W, rate, alone ? fastest : -1);
+        status = hits == MOST_SEQUENTIAL || solve_hit(c, x);
+        for (int32_t r = 0; r < n; r++) {
+            impulse[r] += x->law.impulse[r];
+            for (int32_t s = 0; s < n; s++) rate[r] += W[(int64_t)n * r + s] * x->law.impulse[s];
+        }
+    }
+    memcpy(x->law.impulse, impulse, sizeof(double) * (size_t)n);
+    memcpy(x->before, before, sizeof(double) * (size_t)n);
+    return status;
+}
+
+/* Impulses by the law of the scene; 0, or 1 if none were found. */
+static int solve_landing(const context *c, hit *x)
+{
+    if (c->s.head[S_IMPACT_LAW] != 0.0) return solve_in_sequence(c, x);
+    for (int32_t k = 0; k < x->law.contacts; k++) x->restitution[k] = restitution_of_hit(c, x, k, x->before[x->first[k]], 0);
+    return solve_hit(c, x);
+}
+
 /* Counts impacts and impulses, and closes what does not part. */
 static void end_landing(context *c, const hit *x)
 {
@@ -140,8 +210,9 @@ static void end_landing(context *c, const hit *x)
         double *own = contact_of(c, i);
         const int closed = is_closed(c, i);
         own[C_IMPULSE] += x->law.impulse[r] + x->out[r];
-        if (has_landed(touch_of(c, i))) {
-            own[C_IMPACTS] += x->before[r] < -speed_tolerance(c) ? 1.0 : 0.0;
+        const int is_hit = x->before[r] < -speed_tolerance(c), in_sequence = is_hit && c->s.head[S_IMPACT_LAW] != 0.0;
+        if (has_landed(touch_of(c, i)) || in_sequence) {
+            own[C_IMPACTS] += is_hit ? 1.0 : 0.0;
             c->s.head[S_EVENTS] += 1.0;
         }
         open_contact(c, i);
@@ -169,9 +240,7 @@ static int32_t land(context *c, int32_t island)
     int32_t status = fill_hit(c, &x);
     if (!status) {
         take_out(c, &x, taken + rubbed, lands);
-        for (int32_t k = 0; k < x.law.contacts; k++)
-            if (!(-x.before[x.first[k]] > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) x.restitution[k] = 0.0;
-        status = solve_hit(c, &x) ? HOLONOM_IMPACT_UNSOLVED : HOLONOM_OK;
+        status = solve_landing(c, &x) ? HOLONOM_IMPACT_UNSOLVED : HOLONOM_OK;
     }
     for (int32_t r = 0; r < x.law.rows; r++) x.law.impulse[r] -= x.out[r];
     if (!status) status = apply_impulses(c, &x, kinetic);

@@ -2,6 +2,7 @@
 #ifndef HOLONOM_LEDGER_H
 #define HOLONOM_LEDGER_H
 
+#include "elements.h"
 #include "motion.h"
 #include "sampling.h"
 #include "step.h"

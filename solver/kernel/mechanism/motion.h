@@ -16,8 +16,7 @@ static inline void take_section(context *c, double *section, int64_t count, cons
 /* Takes the motion back from a backup of the state. */
 static void take_motion_back(context *c, const double *backup)
 {
-    take_section(c, c->s.q, c->s.n_motion, backup);
-    take_section(c, c->s.q_low, c->s.n_motion, backup);
+    take_section(c, c->s.q, 2 * c->s.n_motion, backup); /* what rounding left over lies behind */
 }
 
 /* Likewise all that goes with it, the ledger included. */

@@ -117,8 +117,7 @@ static int32_t move_from_start(context *at, double h, const double *weight, int 
     int components;
     weigh_stages(at, weight, stages, x);
     take_motion_back(at, start);
-    take_section(at, s->turns, at->m->n_quantities, start);
-    take_section(at, s->sine, at->m->n_quantities, start);
+    take_section(at, s->turns, s->n_angles, start);
     for (int32_t a = 0, next; a < at->n_moving; a = next, x += components, v += components) {
         next = behind(at, a, &components);
         if (!is_director(at, a)) {

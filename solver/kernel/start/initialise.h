@@ -294,6 +294,31 @@ static int32_t refuse_penetration(context *c)
     return HOLONOM_OK;
 }
 
+/* Blames, of contacts that touch, the one of the largest coefficient of friction; returns whether there is one that rubs. */
+static int blame_roughest(context *c)
+{
+    double most = 0.0;
+    for (int32_t i = 0; i < n_contacts(c->m); i++) {
+        const int32_t f = c->m->contact_friction[i];
+        if (f < 0 || !(gap_of(c, i) <= gap_tolerance(c)) || !(c->number[c->m->sliding_at + f] > most)) continue;
+        most = c->number[c->m->sliding_at + f];
+        blame(c, c->m->contact_row[i]);
+    }
+    return most > 0.0;
+}
+
+/* Modes of contacts at the start. Forces were found without contacts: where with them there are none, or none that are finite, friction
+   is so strong that no modes agree with it. */
+static int32_t start_contacts(context *c, const double *state)
+{
+    int32_t status = refuse_penetration(c);
+    if (!status) status = begin_contacts(c);
+    if (!status && !all_finite(state, c->state_size)) status = HOLONOM_NOT_FINITE;
+    if ((status == HOLONOM_SINGULAR_TANGENT || status == HOLONOM_NOT_FINITE) && blame_roughest(c)) status = HOLONOM_CONTACT_UNDECIDED;
+    if (status) c->s.head[S_AT_FAULT] = c->at_fault;
+    return status;
+}
+
 HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state, double *work,
                                      holonom_watch *watch)
 {
@@ -331,8 +356,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);
     find_freedom(&c);
-    if (is_unilateral(m) && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;
-    if (status) return status;
+    if (is_unilateral(m) && (status = start_contacts(&c, state))) return status;
     head[S_EVENTS] = 0.0;
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }

@@ -110,6 +110,11 @@ class Laws:
         self.library = ctypes.CDLL(str(target))
         self.library.impact_scratch.restype = ctypes.c_int64
         self.library.contact_scratch.restype = ctypes.c_int64
+        self.library.holds_load.argtypes = [ctypes.c_double]
+
+    def holds(self, load: float) -> bool:
+        """Return whether one contact without friction has a force that meets this load."""
+        return bool(self.library.holds_load(load))
 
     def impact(
         self,
