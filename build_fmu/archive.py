@@ -16,6 +16,10 @@ from solver.files import write_whole
 
 SHARED = ("binaries/", "documentation/licenses/", "resources/holonom_")
 """Beginnings of the names of entries that the FMUs of many mechanisms share."""
+LARGE = 1_000_000
+"""Bytes of an entry above which it is compressed quickly: in a third of the time, 7 % larger."""
+QUICK = 2
+"""Level of that compression."""
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
 _UNIX, _REGULAR_FILE, _EXECUTABLE_FILE = 3, 0o100644, 0o100755
 
@@ -42,7 +46,7 @@ def _extended(content: bytes, entries: Iterable[tuple[str, bytes]]) -> bytes:
             entry.compress_type, entry.create_system = zipfile.ZIP_DEFLATED, _UNIX
             mode = _EXECUTABLE_FILE if name.startswith("binaries/") else _REGULAR_FILE
             entry.external_attr = mode << 16
-            target.writestr(entry, data)
+            target.writestr(entry, data, compresslevel=QUICK if len(data) > LARGE else None)
     return file.getvalue()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sysconfig
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
@@ -40,7 +41,7 @@ img {{ float: right; margin: 0 0 1em 1em; border: 1px solid #8886; max-width: 10
 <body>
 <h1>{name}</h1>
 <img src="../{picture}" alt="the mechanism as drawn" width="480" height="360">
-<p>{description}</p>
+<p>{description}</p>{drawn}
 <p>An FMI {fmi}.0 co-simulation unit. Its steps conserve energy and constraints on positions up to
 round-off; its outputs <code>energy.error</code> and <code>constraint.position</code> show it, and
 <code>solver.status</code> is 0 as long as every communication
@@ -63,6 +64,7 @@ _NEEDS = (
     "runtime (MSVCP140.dll). The compiled kernel inside is for "
     f"{sysconfig.get_platform()}; on another platform no instance can be made: build it there."
 )
+_THINNED = "\n<p>The picture shows some of its many parts, evenly chosen.</p>"
 _NEEDS_NOTHING = (
     "It needs nothing but the platform of one of its libraries, in the folder binaries."
 )
@@ -70,6 +72,7 @@ _NEEDS_COMPILER = (
     "It has no library: the importer compiles its sources, in the folder sources, with a compiler "
     "of C99; they need no library, not even libm."
 )
+_RESERVED = re.compile("[&<>\"']")
 _HEAD = ("Name", "Unit", "Value", "Range", "Meaning")
 _CELLS = {0: "<td><code>{}</code></td>", **dict.fromkeys((2, 3), '<td class="number">{}</td>')}
 _SETTINGS = "Settings of the solver"
@@ -88,14 +91,17 @@ PICTURES = {2: "model.png", 3: "terminalsAndIcons/icon.png"}
 
 
 def documentation(
-    model: Model, seen: SelfCheck, package: Package | None = None
+    model: Model, seen: SelfCheck, package: Package | None = None, thinned: bool = False
 ) -> dict[str, bytes]:
-    """Files below `documentation/` by path in the archive; `seen` is what a run of it showed."""
+    """Files below `documentation/` by path in the archive; `seen` is what a run of it showed.
+
+    `thinned` tells that its picture shows some of its parts alone.
+    """
     native = package is not None and package.native
     needs = _NEEDS
     if package and native:
         needs = _NEEDS_NOTHING if package.platforms else _NEEDS_COMPILER
-    text = page(model, seen, needs, package.fmi if package else 2)
+    text = page(model, seen, needs, package.fmi if package else 2, thinned)
     licence, theirs = "documentation/licenses/license.txt", "documentation/licenses/pythonfmu.txt"
     files = {
         "documentation/index.html": text,
@@ -107,7 +113,9 @@ def documentation(
     return {path: content.encode() for path, content in files.items()}
 
 
-def page(model: Model, seen: SelfCheck, needs: str = _NEEDS, fmi: int = 2) -> str:
+def page(
+    model: Model, seen: SelfCheck, needs: str = _NEEDS, fmi: int = 2, thinned: bool = False
+) -> str:
     """HTML page with a table of variables per causality."""
     rows = defaultdict[str, list[list[str]]](list)
     for variable in model.variables:
@@ -117,6 +125,7 @@ def page(model: Model, seen: SelfCheck, needs: str = _NEEDS, fmi: int = 2) -> st
     return _PAGE.format(
         name=escape(model.name),
         description=escape(model.description),
+        drawn=_THINNED if thinned else "",
         experiment=f"{start!r} s to {stop!r} s with steps of {step!r} s",
         needs=needs,
         fmi=fmi,
@@ -161,6 +170,8 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
     yield from (f"Its log said: {remark}." for remark in seen.remarks)
     if seen.reason:
         yield f"The run ended early: {seen.reason}"
+    elif seen.moved and seen.is_large:
+        yield "It is too large for a second, finer run while it is built: holonom check makes one."
     elif seen.moved and seen.position_error is not None:
         is_chosen = bool(tolerance_of(model.settings))
         finer = "a hundredth of the tolerance" if is_chosen else "half the internal step"
@@ -178,16 +189,17 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
 def _table(title: str, rows: Sequence[Sequence[str]]) -> str:
     """Table of the columns in which a row has something."""
     used = [k for k in range(len(_HEAD)) if any(row[k] for row in rows)]
-    lines = [[f"<th>{_HEAD[k]}</th>" for k in used]]
-    lines += [[_CELLS.get(k, "<td>{}</td>").format(row[k]) for k in used] for row in rows]
-    listed = "\n".join(f"<tr>{''.join(line)}</tr>" for line in lines)
+    cells = "".join([_CELLS.get(k, "<td>{}</td>").replace("{}", f"{{{k}}}") for k in used])
+    line = f"<tr>{cells}</tr>".format
+    lines = [f"<tr>{''.join(f'<th>{_HEAD[k]}</th>' for k in used)}</tr>"]
+    listed = "\n".join([*lines, *(line(*row) for row in rows)])
     return f"<h2>{title}</h2>\n<table>\n{listed}\n</table>" if rows else ""
 
 
 def _row(variable: Variable) -> list[str]:
     span = _range(variable.minimum, variable.maximum)
     cells = (variable.name, variable.unit, as_text(variable.start), span, variable.description)
-    return [escape(cell or "") for cell in cells]
+    return [escape(x) if x and _RESERVED.search(x) else x or "" for x in cells]
 
 
 def _range(least: float | None, most: float | None) -> str:

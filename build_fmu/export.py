@@ -131,11 +131,16 @@ def archive_entries(
     local: Collection[int] = (),
 ) -> dict[str, bytes]:  # fmt: skip
     """Content of the archive by path."""
+    from viewer.drawing import drawing
+    from viewer.picture import is_thinned, picture
+
     name = identifier(model.name)
     entries = package.entries(name, model.sizes)
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
-    entries |= documentation(model, seen, package)
-    entries |= drawn(parts.scene, PICTURES[package.fmi])
+    found = drawing(parts.scene)
+    entries |= documentation(model, seen, package, thinned=is_thinned(found))
+    entries[DRAWING] = json.dumps(found, separators=(",", ":")).encode()
+    entries[PICTURES[package.fmi]] = picture(found)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.with_guid(own_guid)
     of_fmi2 = partial(model_description, native=package.native, sources=package.sources)
@@ -148,16 +153,6 @@ def archive_entries(
         nominal=seen.nominal, source=parts.scene.source, local=local,
     )  # fmt: skip
     return entries
-
-
-def drawn(scene: Scene, picture_path: str) -> dict[str, bytes]:
-    """Drawing of a scene and its picture, by path in the archive."""
-    from viewer.drawing import drawing
-    from viewer.picture import picture
-
-    found = drawing(scene)
-    text = json.dumps(found, separators=(",", ":"))
-    return {DRAWING: text.encode(), picture_path: picture(found)}
 
 
 def identifier(name: str) -> str:

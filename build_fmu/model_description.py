@@ -7,12 +7,18 @@ every start value comes back as the same double.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
-from xml.etree.ElementTree import Element, SubElement
 
 from build_fmu.source_package import UNIT
-from build_fmu.xml_parts import base_unit_attributes, declared_types, document, element
+from build_fmu.xml_parts import (
+    Element,
+    base_unit_attributes,
+    declared_types,
+    document,
+    element,
+    written,
+)
 from fmu_src.status import LOG_CATEGORIES
 from solver.scene.units import base_unit
 
@@ -102,7 +108,7 @@ def description(
     return document(
         element(
             "fmiModelDescription",
-            *(part for part in parts if part.attrib or len(part) or part.tag.startswith("Model")),
+            *(x for x in parts if x.attributes or x.children or x.tag.startswith("Model")),
             fmiVersion=version,
             modelName=model.name,
             **token,
@@ -167,70 +173,83 @@ def vendor_annotations(model: Model, source: Source | None) -> list[tuple[str, E
         found.append(("holonom.inputs", element("Inputs", *inputs)))
     if source is None or not source.text:
         return found
-    scene = element("Scene", format=source.notation)
-    SubElement(scene, "Text").text = source.text
-    for text in source.overrides.values():
-        SubElement(scene, "Override").text = text
-    return [("holonom", scene), *found]
+    parts = [Element("Text", text=source.text)]
+    parts += [Element("Override", text=text) for text in source.overrides.values()]
+    return [("holonom", element("Scene", *parts, format=source.notation)), *found]
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
-    value = element(variable.type, **attributes_of_value(variable, types))
-    return element("ScalarVariable", value, **attributes_of_variable(index, variable))
+    value = Element(variable.type, attributes_of_value(variable, types))
+    return Element("ScalarVariable", attributes_of_variable(index, variable), (value,))
 
 
-def attributes_of_variable(index: int, variable: Variable) -> dict[str, object]:
-    """Return who a variable is, and what it is to an importer."""
+def attributes_of_variable(index: int, variable: Variable) -> str:
+    """Return who a variable is, and what it is to an importer, as attributes are written."""
+    known = {"name": variable.name, "valueReference": str(index)}
+    named = written({**known, "description": variable.description or None})
+    return named + _kind(variable.causality, variable.variability)
+
+
+@lru_cache(1024)
+def _kind(causality: str, variability: str) -> str:
     # Inputs must not say it: their start value is exact by definition.
-    initial = "exact" if _is_settable(variable) else "calculated"
-    return {
-        "name": variable.name,
-        "valueReference": str(index),
-        "description": variable.description or None,
-        "causality": variable.causality,
-        "variability": variable.variability,
-        "initial": None if variable.causality == "input" else initial,
-    }
+    initial = "exact" if _is_settable(causality) else "calculated"
+    return written(
+        {
+            "causality": causality,
+            "variability": variability,
+            "initial": None if causality == "input" else initial,
+        }
+    )
 
 
-def attributes_of_value(variable: Variable, types: Mapping[str, str]) -> dict[str, object]:
-    """Return the type, unit, limits and start of a variable's value."""
-    given: dict[str, object] = {}
-    if variable.type == "Real" and variable.unit:
-        given = {"declaredType": types[variable.unit], "unit": variable.unit}
-    if variable.type == "Real" and not variable.clips:  # importers refuse what is beyond
-        given |= {"min": variable.minimum, "max": variable.maximum}
-    if _is_settable(variable):
-        given["start"] = variable.start
-    return given
+def attributes_of_value(
+    variable: Variable, types: Mapping[str, str], with_start: bool = True
+) -> str:
+    """Return the type, unit, limits and start of a variable's value, as they are written."""
+    text = ""
+    if variable.type == "Real":
+        limits = (None, None) if variable.clips else (variable.minimum, variable.maximum)
+        text = _type_and_limits(types.get(variable.unit or ""), variable.unit, *limits)
+    if with_start and _is_settable(variable.causality):
+        text += written({"start": variable.start})
+    return text
 
 
-def _is_settable(variable: Variable) -> bool:
-    return variable.causality in ("parameter", "input")
+@lru_cache(1024)
+def _type_and_limits(
+    type_name: str | None, unit: str | None, minimum: float | None, maximum: float | None
+) -> str:
+    # Importers refuse what is beyond.
+    typed = {"declaredType": type_name, "unit": unit} if unit else {}
+    return written({**typed, "min": minimum, "max": maximum})
+
+
+def _is_settable(causality: str) -> bool:
+    return causality in ("parameter", "input")
 
 
 def _structure(model: Model, ports: Sequence[Variable]) -> Element:
     """Outputs and InitialUnknowns, each with what it depends on; indices count from 1."""
     lists: dict[str, list[Element]] = {}
-    for name, index, known in unknowns(model, ports):
-        unknown = element("Unknown", index=index, dependencies=known)
+    for name, place, known in unknowns(model, ports):
+        unknown = Element("Unknown", f' index="{place}"{known}')
         lists.setdefault(name, []).append(unknown)
     return element("ModelStructure", *(element(name, *each) for name, each in lists.items()))
 
 
-def unknowns(
-    model: Model, ports: Sequence[Variable]
-) -> Iterator[tuple[str, str, str | None]]:  # fmt: skip
-    """Yield the list of each unknown, its place, and those of what it depends on, from 1 on.
+def unknowns(model: Model, ports: Sequence[Variable]) -> Iterator[tuple[str, int, str]]:
+    """Yield the list of each unknown, its place from 1 on, and its attribute `dependencies`.
 
-    Of a model that was read from bytes these are not known, which means all: None.
+    Of a model that was read from bytes these are not known, which means all: no attribute.
     """
     of_unknown: Mapping[int, Sequence[Sequence[int]]] = model.dependencies or {}
 
     @cache
     def listed(known: Sequence[int]) -> str:
-        return " ".join([str(k + 1) for k in known if ports[k].causality != "local"])
+        places = [str(k + 1) for k in known if ports[k].causality != "local"]
+        return f' dependencies="{" ".join(places)}"'
 
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
-        for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
-            yield name, str(i + 1), listed(of_unknown[i][place]) if i in of_unknown else None
+        for i in [i for i, variable in enumerate(ports) if variable.causality in kinds]:
+            yield name, i + 1, listed(of_unknown[i][place]) if i in of_unknown else ""

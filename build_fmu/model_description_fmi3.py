@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING
-from xml.etree.ElementTree import Element
 
 from build_fmu.model_description import (
     attributes_of_value,
@@ -18,7 +17,7 @@ from build_fmu.model_description import (
     unknowns,
     vendor_annotations,
 )
-from build_fmu.xml_parts import element
+from build_fmu.xml_parts import Element, element
 
 if TYPE_CHECKING:
     from solver.runtime import Model, Variable
@@ -77,11 +76,10 @@ def _type(name: str, given: Mapping[str, object]) -> Element:
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
-    given = attributes_of_value(variable, types)
-    start = []
-    if variable.type == "String" and "start" in given:  # there may be several, of an array
-        start = [element("Start", value=given.pop("start"))]
-    return element(TYPES[variable.type], *start, **attributes_of_variable(index, variable), **given)
+    is_text = variable.type == "String" and variable.causality in ("parameter", "input")
+    value = attributes_of_value(variable, types, with_start=not is_text)
+    start = [element("Start", value=variable.start)] if is_text else []  # several, of an array
+    return Element(TYPES[variable.type], attributes_of_variable(index, variable) + value, start)
 
 
 def _structure(model: Model, ports: Sequence[Variable]) -> Element:
@@ -89,7 +87,7 @@ def _structure(model: Model, ports: Sequence[Variable]) -> Element:
     return element(
         "ModelStructure",
         *(
-            element(TAGS[name], valueReference=place, dependencies=known)
+            Element(TAGS[name], f' valueReference="{place}"{known}')
             for name, place, known in unknowns(model, ports)
         ),
     )

@@ -25,10 +25,12 @@ if TYPE_CHECKING:
 
 MOST_WORK = 300_000
 """Unknowns times internal steps: some 50 ms."""
+MANY = 1000
+"""Unknowns above which a run is not what building a model may cost."""
+MOST_ITERATIONS = 100_000
+"""Unknowns times Newton iterations of a model of many: some 40 ms."""
 MOST_LOOKS = 100
 """Communication steps: after each all outputs are read."""
-FEWEST = 10
-"""Internal steps that the work must allow for a second, finer run."""
 AT_REST = 1e-6
 """A largest value, in its unit, below which nothing tells how large it is when it moves."""
 
@@ -47,6 +49,8 @@ class SelfCheck:
         Largest of the outputs energy.error and constraint.position.
     moved : bool
         Whether any position or orientation changed.
+    is_large : bool
+        Whether the model has too many unknowns for a second, finer run.
     position_error, rotation_error : float or None
         Largest difference of a coordinate [m], and of an angle or orientation [rad], from a run
         that is more exact, at all times of the run; None where there is no such run, or nothing
@@ -67,6 +71,7 @@ class SelfCheck:
     energy: float = 0.0
     constraint: float = 0.0
     moved: bool = True
+    is_large: bool = False
     position_error: float | None = None
     rotation_error: float | None = None
     largest: Mapping[str, float] = field(default_factory=dict)
@@ -103,6 +108,7 @@ def self_check(model: Model) -> SelfCheck:
         energy=sizes.get("energy.error", 0.0),
         constraint=sizes.get("constraint.position", 0.0),
         moved=poses.moved(motion),
+        is_large=_unknowns(model) > MANY,
         position_error=apart and apart[0],
         rotation_error=apart[1] if apart and poses.turn else None,
         largest=largest,
@@ -131,6 +137,7 @@ def _run(
 ) -> tuple[NDArray[np.float64], str]:
     """Run; values by time and name, and why it ended early."""
     start, rows, reason = integrator.model.experiment.start_time, [], ""
+    unknowns, iterations = _unknowns(integrator.model), 0.0
     indices = [integrator.model.index(name) for name in names]
     try:
         integrator.initialise(start)
@@ -140,6 +147,9 @@ def _run(
                 integrator.time, start + (k + 1) * duration / steps - integrator.time
             )
             rows.append(np.array(integrator.get(indices), float))
+            iterations += float(integrator["solver.newton_iterations"])
+            if unknowns > MANY and unknowns * iterations > MOST_ITERATIONS:
+                break
     except (AssemblyError, OptionError, StepError) as error:
         reason = in_one_line(error)
     return np.array(rows).reshape(len(rows), len(names)), reason
@@ -152,7 +162,7 @@ def _apart(
 
     With a tolerance it has a hundredth: steps for half of it are often the same.
     """
-    if FEWEST * _unknowns(model) > MOST_WORK:
+    if _unknowns(model) > MANY:
         return None
     fine = Integrator(model, log=lambda _: None)  # the coarse one has said it
     settings = model.settings

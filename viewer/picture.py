@@ -14,6 +14,7 @@ import numpy as np
 from viewer.canvas import DARK, PAPER, Array, Canvas, Colour, Pixel
 from viewer.faces import faces_of, rotation
 from viewer.letters import ADVANCE, write
+from viewer.places import some
 
 WIDTH, HEIGHT, MARGIN = 480, 360, 40
 STEEL: Colour = (0.35, 0.40, 0.47)
@@ -32,6 +33,8 @@ SHADES = 6
 ALOOF = np.array(((0.87, 0.5), (-0.5, 0.87)))
 """Turn of a plane against the view, so that it looks like one."""
 MOST_NAMES = 16
+MOST = {"solids": 200, "links": 200, "joints": 100}
+"""Parts of a kind that are drawn: more cannot be told apart."""
 SURFACES, SOLIDS, RODS, FORCES, JOINTS, DRIVEN, NAMES = range(7)
 """Layers."""
 
@@ -39,6 +42,11 @@ SURFACES, SOLIDS, RODS, FORCES, JOINTS, DRIVEN, NAMES = range(7)
 def picture(drawing: dict[str, Any]) -> bytes:
     """PNG file of a drawing (``viewer.drawing``)."""
     return next(canvases([drawing], names=True)).png()
+
+
+def is_thinned(drawing: dict[str, Any]) -> bool:
+    """Whether a picture shows some parts of a drawing alone."""
+    return any(len(drawing[kind]) > most for kind, most in MOST.items())
 
 
 def canvases(drawings: Sequence[dict[str, Any]], *, names: bool = False) -> Iterator[Canvas]:
@@ -114,12 +122,13 @@ class _Picture:
 
     def collected(self) -> Array:
         """Collect all strokes but those of planes; places to be seen, along the view."""
-        for solid in self.drawing["solids"]:
+        solids, links, joints = (some(self.drawing[kind], most) for kind, most in MOST.items())
+        for solid in solids:
             if solid["shape"] != "plane":
                 self._solid(solid)
-        for link in self.drawing["links"]:
+        for link in links:
             self._link(link)
-        for joint in self.drawing["joints"]:
+        for joint in joints:
             self._joint(joint)
         seen = np.array(self._seen or [np.zeros(3)])
         size, middle = float(np.linalg.norm(np.ptp(seen, axis=0))), seen.mean(axis=0)
@@ -332,10 +341,12 @@ class _Picture:
         ][1:]
         fixed = [x for x in self.drawing["joints"] if x["kind"] == "fixed"]
         for name, place in [*places, *((x["name"], self._at(x["place"])) for x in fixed)]:
+            if len(taken) == MOST_NAMES:
+                break
             x, y = self._pixel(place)
             x, y, width = x + 8.0, y - 7.0, ADVANCE * len(name)
             free = all(abs(y - v) > 11.0 or x > u + w or x + width < u for u, v, w in taken)
-            if len(taken) < MOST_NAMES and free and 2.0 < x < WIDTH - width and 10.0 < y < HEIGHT:
+            if free and 2.0 < x < WIDTH - width and 10.0 < y < HEIGHT:
                 taken.append((x, y, width))
                 write(canvas, name, (x, y), STEEL)
 

@@ -26,10 +26,10 @@ SEEN = 4
 """Of numbers of a curve or surface."""
 
 
-def some(parts: Iterable[T]) -> list[T]:
-    """All parts, or so many of them, evenly chosen, that they are quickly drawn."""
+def some(parts: Iterable[T], most: int = MOST) -> list[T]:
+    """All parts, or `most` of them, evenly chosen, so that they are quickly drawn."""
     listed = list(parts)
-    return listed[:: 1 + len(listed) // MOST]
+    return listed[:: 1 + len(listed) // (most + 1)]
 
 
 def rounded(numbers: Any) -> Any:
@@ -50,11 +50,19 @@ def tidy(numbers: Any) -> Any:
         return [tidy(x) for x in numbers]  # rows, in which some numbers may be missing
     array = np.asarray(numbers, None if isinstance(numbers, np.ndarray) else float)
     if array.ndim == 0:
-        value = float(f"{float(array):.{DIGITS}g}")
-        return int(value) if value.is_integer() and abs(value) < 1e15 else value
-    if array.ndim == 1:
-        array = np.where(np.abs(array) < 1e-15 * np.abs(array).max(initial=0.0), 0.0, array)
-    return [tidy(x) for x in array]
+        return _tidy_number(float(array))
+    if array.ndim > 1:
+        return [tidy(x) for x in array]
+    listed = array.tolist()
+    least = 1e-15 * max(map(abs, listed), default=0.0)
+    return [_tidy_number(float(x)) if not abs(x) < least else 0 for x in listed]
+
+
+def _tidy_number(number: float) -> float:
+    if number.is_integer() and abs(number) < 10.0**DIGITS:
+        return int(number)
+    value = float(f"{number:.{DIGITS}g}")
+    return int(value) if value.is_integer() and abs(value) < 1e15 else value
 
 
 def quaternion(rotation: Array) -> Array:

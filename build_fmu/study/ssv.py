@@ -10,11 +10,9 @@ import sys
 from collections.abc import Callable, Collection, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from xml.etree import ElementTree
-from xml.etree.ElementTree import Element, SubElement
 
 from build_fmu.study.values import Entry, Mistake, keep
-from build_fmu.xml_parts import base_unit_attributes, document
+from build_fmu.xml_parts import Element, base_unit_attributes, document, element
 from solver.files import read_whole
 from solver.scene.units import BaseUnit, base_unit
 
@@ -35,20 +33,31 @@ _READERS = {
 
 def parameter_set(model: Model, *, date: str, tool: str, local: Collection[int] = ()) -> bytes:
     """Text of the .ssv file of a model: parameters with start values, but for those in `local`."""
-    ElementTree.register_namespace("ssv", VALUES)
-    ElementTree.register_namespace("ssc", COMMON)
-    head = {"version": "1.0", "name": model.name, "generationTool": tool}
-    root = Element(f"{{{VALUES}}}ParameterSet", head | {"generationDateAndTime": date})
     variables = enumerate(model.variables)
     parameters = [v for i, v in variables if v.causality == "parameter" and i not in local]
-    listed = SubElement(root, f"{{{VALUES}}}Parameters")
-    for variable in parameters:
-        attributes = {"name": variable.name, "description": variable.description}
-        given = {name: text for name, text in attributes.items() if text}
-        parameter = SubElement(listed, f"{{{VALUES}}}Parameter", given)
-        SubElement(parameter, f"{{{VALUES}}}{variable.type}", _value(variable))
-    _units(root, parameters)
-    return document(root)
+    listed = [
+        element(
+            "ssv:Parameter",
+            element(f"ssv:{variable.type}", **_value(variable)),
+            name=variable.name or None,
+            description=variable.description or None,
+        )
+        for variable in parameters
+    ]
+    units = _units(parameters)
+    return document(
+        element(
+            "ssv:ParameterSet",
+            element("ssv:Parameters", *listed),
+            *([element("ssv:Units", *units)] if units else []),
+            **({"xmlns:ssc": COMMON} if units else {}),
+            **{"xmlns:ssv": VALUES},
+            version="1.0",
+            name=model.name,
+            generationTool=tool,
+            generationDateAndTime=date,
+        )
+    )
 
 
 def _value(variable: Variable) -> dict[str, str]:
@@ -64,13 +73,14 @@ def _value(variable: Variable) -> dict[str, str]:
     return attributes
 
 
-def _units(root: Element, parameters: Iterable[Variable]) -> None:
+def _units(parameters: Iterable[Variable]) -> list[Element]:
+    """Elements of the units that parameters have and whose base units are known."""
     bases = {v.unit: base_unit(v.unit) for v in parameters if v.unit}
     known = sorted((unit, base) for unit, base in bases.items() if base)
-    units = SubElement(root, f"{{{VALUES}}}Units") if known else root
-    for name, base in known:
-        unit = SubElement(units, f"{{{COMMON}}}Unit", {"name": name})
-        SubElement(unit, f"{{{COMMON}}}BaseUnit", base_unit_attributes(base))
+    return [
+        element("ssc:Unit", element("ssc:BaseUnit", **base_unit_attributes(base)), name=name)
+        for name, base in known
+    ]
 
 
 # ----------------------------------------------------------------------------------- read

@@ -7,6 +7,7 @@ import re
 import shlex
 import shutil
 import subprocess
+from collections import Counter
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -38,6 +39,12 @@ def test_no_header_includes_itself_through_others():
     included = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
     graph = {header.name: included.findall(header.read_text("utf-8")) for header in HEADERS}
     list(TopologicalSorter(graph).static_order())
+
+
+def test_names_of_files_occur_once_in_all_rooms():
+    # A file includes another by its name alone, and an FMU with sources has all in one folder.
+    names = Counter(path.name for path in KERNEL.rglob("*.[ch]"))
+    assert max(names.values()) == 1, names.most_common(1)
 
 
 def test_no_function_is_declared_ahead_of_a_header_that_comes_later():

@@ -15,11 +15,12 @@ import solver
 from build_fmu import build
 from build_fmu.export import generation_date
 from build_fmu.model_description import model_description
+from build_fmu.xml_parts import Element, document, element
 from solver.runtime import Model
 from solver.scene.units import BaseUnit, base_unit
-from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu, text_fmu
-from tests.native_fmus import native_scene_fmu
-from tests.scene_files import ALL
+from tests.support.fmus.fmu_instance import SCENES, instance, pendulum, scene_fmu, text_fmu
+from tests.support.fmus.native_fmus import native_scene_fmu
+from tests.support.mechanisms.scene_files import ALL
 
 ERROR = 3
 AWKWARD = [0.1 + 0.2, 1 / 3, 1e-300, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0, 1e22]
@@ -28,6 +29,21 @@ AWKWARD = [0.1 + 0.2, 1 / 3, 1e-300, 5e-324, 1.7976931348623157e308, 123456789.1
 def root_of(path):
     with zipfile.ZipFile(path) as archive:
         return ElementTree.fromstring(archive.read("modelDescription.xml"))
+
+
+def test_a_document_is_that_of_the_standard_library():
+    """Elements, texts and attributes with each character that XML writes otherwise."""
+    awkward = "a & b < c > d \"e\" 'f'\r\n\tg \u00e4"
+    ours = element("r", element("x", a=awkward, b=1.5, c=True, d=None), element("y"))
+    ours = Element("r", ours.attributes, [*ours.children, Element("t", text=awkward)])
+    theirs = ElementTree.Element("r")
+    ElementTree.SubElement(theirs, "x", {"a": awkward, "b": "1.5", "c": "true"})
+    ElementTree.SubElement(theirs, "y")
+    ElementTree.SubElement(theirs, "t").text = awkward
+    ElementTree.indent(theirs)
+    head, _, text = document(ours).decode().partition("\n")
+    assert head == "<?xml version='1.0' encoding='UTF-8'?>"
+    assert text == ElementTree.tostring(theirs, "unicode") + "\n"
 
 
 def described(model: Model):

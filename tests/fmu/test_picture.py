@@ -16,8 +16,8 @@ import solver
 from build_fmu import build
 from build_fmu.documentation import documentation, page
 from build_fmu.self_check import self_check
-from tests.fmu_instance import SCENES, scene_fmu
-from tests.scene_files import ALL
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
+from tests.support.mechanisms.scene_files import ALL
 from viewer.canvas import Canvas
 from viewer.drawing import AZIMUTH, ELEVATION, drawing
 from viewer.picture import HEIGHT, MARGIN, WIDTH, picture
@@ -108,6 +108,35 @@ def test_the_archive_has_picture_and_page_with_how_exact_a_run_was():
     assert f"{seen.energy:.1e}" in page
     assert f"{seen.position_error:.1e} m" in page
     assert 'src="../model.png"' in page
+
+
+def test_a_picture_of_many_parts_shows_some_from_end_to_end_and_the_page_says_so(tmp_path):
+    """Of a line of 1000 links at most 200 are drawn; the last point is at the right margin."""
+    points = "\n".join(f"P{i} = {{ position = [{i}, 0], mass = 1 }}" for i in range(1, 1001))
+    rods = "\n".join(
+        f'r{i} = {{ type = "distance", points = ["P{i - 1}", "P{i}"] }}' for i in range(1, 1001)
+    )
+    text = f"""
+    name = "line"
+    dimension = 2
+    gravity = [0, -9.81]
+    [points]
+    P0 = {{ position = [0, 0], fixed = true }}
+    {points}
+    [joints]
+    {rods}
+    """
+    path = build(solver.loads(text), tmp_path / "line.fmu", native=True)
+    with zipfile.ZipFile(path) as archive:
+        page = archive.read("documentation/index.html").decode()
+        seen = pixels(archive.read("model.png"))
+    assert "The picture shows some of its many parts" in page
+    assert "too large for a second, finer run" in page
+    line = seen[HEIGHT // 2 - 4 : HEIGHT // 2 + 4].min(axis=(0, 2))
+    drawn = np.flatnonzero(line < 100)
+    assert abs(drawn[0] - MARGIN) < 8
+    assert abs(drawn[-1] - (WIDTH - MARGIN)) < 8
+    assert np.diff(drawn).max() < 8  # no gap that one sees
 
 
 PLACES = {2: "model.png", 3: "terminalsAndIcons/icon.png"}

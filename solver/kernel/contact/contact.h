@@ -125,7 +125,7 @@ HM_SELDOM static void evaluate_state(context *c)
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t, 1);
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
-    c->factors_h = 0.0; /* factors of a step do not outlast what follows */
+    c->kept_factors.h = 0.0; /* factors of a step do not outlast what follows */
 }
 
 /* Blames the closed contact that is pressed most, by the means of the last half step; none if all are open. */
@@ -142,7 +142,7 @@ HM_SELDOM static void blame_hardest(context *c)
 
 /* ------------------------------------------------------------------------------------------ modes */
 
-HM_SELDOM static void let_stick(const context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
+HM_SELDOM static void let_stick(context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
 
 HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
 {
@@ -193,7 +193,7 @@ HM_SELDOM static int32_t evaluate_forces(context *c)
     return status;
 }
 
-HM_SELDOM static void open_contact(const context *c, int32_t i)
+HM_SELDOM static void open_contact(context *c, int32_t i)
 {
     const int32_t f = c->m->contact_friction[i];
     contact_of(c, i)[C_CLOSED] = 0.0;
@@ -201,7 +201,7 @@ HM_SELDOM static void open_contact(const context *c, int32_t i)
 }
 
 /* Lets go all that contacts and frictions hold, as an impact asks for. */
-HM_SELDOM static void open_all(const context *c)
+HM_SELDOM static void open_all(context *c)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
     for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
@@ -347,14 +347,14 @@ HM_SELDOM static int hold_still(context *c)
 enum { TURNS_NOW = 0, TURNED_LAST = 3, WAS_ALONG = 6, IS_TURNING = 9, TURNING_SIZE };
 
 /* Whether friction f has several slips, slides, and its slip is about to begin. */
-static int begins_in_space(const context *c, int32_t f)
+static int begins_in_space(context *c, int32_t f)
 {
     return n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && slip_of(c, f, NULL) <= speed_tolerance(c);
 }
 
 /* How the direction of the beginning slip of friction f is to turn (turn, overwritten): towards the way in which it grows. With a
    stiffness of more than half of that of the rows, a step to the friction that stops the slip and back to the cone converges. */
-HM_SELDOM static void turn_towards_growth(const context *c, int32_t f, double *turn)
+HM_SELDOM static void turn_towards_growth(context *c, int32_t f, double *turn)
 {
     const int n = n_slips(c, f);
     const double *along = friction_of(c, f) + F_ALONG_1, force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
@@ -368,7 +368,7 @@ HM_SELDOM static void turn_towards_growth(const context *c, int32_t f, double *t
 
 /* Turns slips of several rates that are about to begin; 0 if they begin as they grow. Turns contract by a constant: from the second
    in turn on (`again`) the secant of the last two leads on (Anderson 1965), as long as they become smaller. */
-HM_SELDOM static int turn_beginning_slips(const context *c, int again)
+HM_SELDOM static int turn_beginning_slips(context *c, int again)
 {
     double most = 0.0, size2 = 0.0, last2 = 0.0, change2 = 0.0, along_change = 0.0;
     EACH_FRICTION(c, f) {

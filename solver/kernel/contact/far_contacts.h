@@ -45,7 +45,7 @@ static void wake_all(context *c)
 }
 
 /* Sets the travel to that of the state `start` and what has moved since then. */
-static void follow_travel(const context *c, const double *start)
+static void follow_travel(context *c, const double *start)
 {
     double *head = c->s.head, most2 = 0.0;
     const double *q = c->s.q, *q0 = start + (q - head), extent2 = hm_square(c->number[c->m->extent_at]);
