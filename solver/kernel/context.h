@@ -253,7 +253,7 @@ static void use_unknowns(context *c, int turns)
     c->reduced = turns;
     c->move = turns ? c->k.move : c->k.d;
     c->lu = turns ? &c->m->reduced : &c->m->full;
-    if (!same || c->m->n_islands > 1 || is_unilateral(c->m)) look_at(c, 0, c->m->n_islands);
+    if (!same || c->m->n_islands > 1 || c->left_out) look_at(c, 0, c->m->n_islands);
 }
 
 /* Factors of the whole tangent, and lean ones, that serve. */

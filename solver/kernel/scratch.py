@@ -62,6 +62,7 @@ WORK = {
     "live": "n_lu_values * unilateral",  # integers, see factorise_matrix
     "local": "n_local_forms * n_form_numbers",  # links and values of the forms of a composite
     "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end
+    "slope_sum": "n_local_forms",  # of the slips of a friction, times their forces
     "curve": "n_local_forms * n_local_forms",  # change of the slopes with the forms at the end
     "gradient": "n_local_forms * n_local", "gradient_end": "n_local_forms * n_local",  # of forms
     "block": "n_local * n_local", "place": "n_local_nodes",  # integers, see local_places
@@ -85,6 +86,8 @@ WORK = {
     "sweep": "n_contacts * (n_local + 4)",  # gradients and forces of those near
     "stop": "n_rows * unilateral",  # ways of slips that stop in the half step
     "slip_before": "n_rows * unilateral",  # slips at its start
+    "turning": "10 * n_frictions",  # see turn_beginning_slips
+    "slip_at_end": "3 * n_frictions",  # of frictions, see slip_along
     "stepped_backup": "n_state * unilateral",  # before a half step of stepped mode
     "hit_defect": "n * unilateral",  # velocities across the rows, see velocity_projection.h
     "hit_reach": "n * n_hit_rows",  # velocities that unit impulses bring about, see impact.h

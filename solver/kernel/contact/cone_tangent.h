@@ -48,13 +48,16 @@ HM_SELDOM static void turning_tangent(const context *c, int32_t j, int32_t size,
         if (*node < next) continue;
         next = next_unknown(c, first_of_unknown(c, *node));
         const int32_t count = unknown_size(c, *node);
+        double slope[DIM]; /* d psi_j/d w */
+        for (int i = 0; i < count; i++) {
+            slope[i] = 0.0;
+            for (int32_t g = 0; g < forms; g++) slope[i] += c->k.end[g] * c->k.gradient_end[size * g + at + i];
+            slope[i] /= c->h;
+        }
         for (int k = 0; k < n_slips(c, f); k++) {
             const int32_t own = slip_row(c, f, k), place = own == j ? at : place_of_unknown(c, own, *node);
-            for (int i = 0; i < count && place >= 0; i++) {
-                double slope = 0.0; /* d psi_j/d w */
-                for (int32_t g = 0; g < forms; g++) slope += c->k.end[g] * c->k.gradient_end[size * g + at + i] / c->h;
-                value[slots[k][place + i]] += c->k.epsilon[row_of(c, own)] * (turn[k] * slope);
-            }
+            const double epsilon = c->k.epsilon[row_of(c, own)];
+            for (int i = 0; i < count && place >= 0; i++) value[slots[k][place + i]] += epsilon * (turn[k] * slope[i]);
         }
         at += count;
     }

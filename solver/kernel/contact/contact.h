@@ -92,14 +92,21 @@ static double friction_force(const context *c, int32_t f, const double *mu, doub
     return sqrt(size2);
 }
 
+/* Size of n slips, and their direction if wanted. */
+static double direction_of(int n, const double *slip, double *along)
+{
+    double size2 = 0.0;
+    for (int k = 0; k < n; k++) size2 += hm_square(slip[k]);
+    for (int k = 0; k < n && along; k++) along[k] = size2 > 0.0 ? slip[k] / sqrt(size2) : 0.0;
+    return sqrt(size2);
+}
+
 /* Slip of friction f at the state, and its direction if wanted. */
 static double slip_of(const context *c, int32_t f, double *along)
 {
-    double slip[3], size2 = 0.0;
+    double slip[3];
     slip_rates(c, f, slip);
-    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(slip[k]);
-    for (int k = 0; k < n_slips(c, f) && along; k++) along[k] = size2 > 0.0 ? slip[k] / sqrt(size2) : 0.0;
-    return sqrt(size2);
+    return direction_of(n_slips(c, f), slip, along);
 }
 
 /* Likewise; of a smooth friction the direction is less than 1, as its law makes it. */
@@ -338,29 +345,60 @@ HM_SELDOM static int hold_still(context *c)
 }
 
 #define TURNING_STIFFNESS 0.6 /* over the sum of those of the rows */
+/* Of a friction that turns, in k.turning: how it is to turn, how it was to before, and where that was; and whether it turns. */
+enum { TURNS_NOW = 0, TURNED_LAST = 3, WAS_ALONG = 6, IS_TURNING = 9, TURNING_SIZE };
 
-/* Turns slips of several rates that are about to begin towards the way in which they grow; 0 if they begin so. With a
-   stiffness of more than half of that of the rows, a step to the friction that stops the slip and back to the cone converges. */
-HM_SELDOM static int turn_beginning_slips(context *c)
+/* Whether friction f has several slips, slides, and its slip is about to begin. */
+static int begins_in_space(context *c, int32_t f)
 {
-    int turned = 0;
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        const int n = n_slips(c, f);
-        double *along = friction_of(c, f) + F_ALONG_1, pull[3], growth[3], stiffness = 0.0, size2 = 0.0;
-        if (n < 2 || friction_mode(c, f) != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_tolerance(c)) continue;
-        for (int k = 0; k < n; k++) stiffness += TURNING_STIFFNESS * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
-        const double force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
-        slip_changes(c, f, growth);
-        for (int k = 0; k < n; k++) {
-            pull[k] = force * along[k] + growth[k] / stiffness;
-            size2 += hm_square(pull[k]);
-        }
-        for (int k = 0; k < n && size2 > 0.0; k++) {
-            turned |= fabs(pull[k] / sqrt(size2) - along[k]) > TURNED;
-            along[k] = pull[k] / sqrt(size2);
+    return n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && slip_of(c, f, NULL) <= speed_tolerance(c);
+}
+
+/* How the direction of the beginning slip of friction f is to turn (turn, overwritten): towards the way in which it grows. With a
+   stiffness of more than half of that of the rows, a step to the friction that stops the slip and back to the cone converges. */
+HM_SELDOM static void turn_towards_growth(context *c, int32_t f, double *turn)
+{
+    const int n = n_slips(c, f);
+    const double *along = friction_of(c, f) + F_ALONG_1, force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
+    double pull[3], growth[3], stiffness = 0.0;
+    for (int k = 0; k < n; k++) stiffness += TURNING_STIFFNESS * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
+    slip_changes(c, f, growth);
+    for (int k = 0; k < n; k++) pull[k] = force * along[k] + growth[k] / stiffness;
+    const double size = direction_of(n, pull, pull);
+    for (int k = 0; k < n; k++) turn[k] = size > 0.0 ? pull[k] - along[k] : 0.0;
+}
+
+/* Turns slips of several rates that are about to begin; 0 if they begin as they grow. Turns contract by a constant: from the second
+   in turn on (`again`) the secant of the last two leads on (Anderson 1965), as long as they become smaller. */
+HM_SELDOM static int turn_beginning_slips(context *c, int again)
+{
+    double most = 0.0, size2 = 0.0, last2 = 0.0, change2 = 0.0, along_change = 0.0;
+    EACH_FRICTION(c, f) {
+        double *own = c->k.turning + TURNING_SIZE * f, *now = own + TURNS_NOW, *last = own + TURNED_LAST;
+        own[IS_TURNING] = begins_in_space(c, f);
+        if (own[IS_TURNING] == 0.0) continue;
+        for (int k = 0; k < n_slips(c, f); k++) last[k] = now[k];
+        turn_towards_growth(c, f, now);
+        for (int k = 0; k < n_slips(c, f); k++) {
+            most = fmax(most, fabs(now[k]));
+            size2 += now[k] * now[k];
+            last2 += last[k] * last[k];
+            change2 += hm_square(now[k] - last[k]);
+            along_change += (now[k] - last[k]) * now[k];
         }
     }
-    return turned;
+    const double part = again && size2 < last2 && change2 > 0.0 ? along_change / change2 : 0.0;
+    EACH_FRICTION(c, f) {
+        double *own = c->k.turning + TURNING_SIZE * f, *before = own + WAS_ALONG, *along = friction_of(c, f) + F_ALONG_1, turned[3];
+        if (own[IS_TURNING] == 0.0) continue;
+        for (int k = 0; k < n_slips(c, f); k++) {
+            const double now = own[TURNS_NOW + k], change = now - own[TURNED_LAST + k];
+            turned[k] = along[k] + now - (part != 0.0 ? part * (along[k] - before[k] + change) : 0.0);
+            before[k] = along[k];
+        }
+        direction_of(n_slips(c, f), turned, along);
+    }
+    return most > TURNED;
 }
 
 /* Whether contact i touches and its gap does not move. */

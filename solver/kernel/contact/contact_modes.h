@@ -92,7 +92,9 @@ static int32_t agree_with_forces(context *c)
 {
     const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
     int together = 0; /* whether frictions were let slide that may hold when others do */
-    for (int change = 0, turns = 0; change < most; change++) {
+    for (int change = 0, turns = 0, turned = 0; change < most; change += !turned) {
+        const int again = turned;
+        turned = 0;
         forget_shares(c);
         int32_t status = evaluate_forces(c);
         const double none = force_tolerance(c);
@@ -103,8 +105,8 @@ static int32_t agree_with_forces(context *c)
         together |= how >= GIVE_WAY;
         if (how >= GIVE_WAY || (how == NOT_TOGETHER && (tear_loose(c) || open_worst(c, none) || slide_worst(c, none)))) continue;
         if (turn_back(c) || close_worst(c) || (together && !c->event.gives_way && hold_still(c))) continue;
-        if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
-        change--;
+        if (turns++ == MOST_TURNS || !turn_beginning_slips(c, again)) return HOLONOM_OK;
+        turned = 1;
     }
     return HOLONOM_CONTACT_UNDECIDED;
 }

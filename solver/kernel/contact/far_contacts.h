@@ -48,12 +48,14 @@ static void wake_all(context *c)
 static void follow_travel(context *c, const double *start)
 {
     double *head = c->s.head, most2 = 0.0;
-    const double *q0 = start + (c->s.q - head), extent = c->number[c->m->extent_at];
+    const double *q = c->s.q, *q0 = start + (q - head), extent2 = hm_square(c->number[c->m->extent_at]);
     if (!some_sleep(c)) return;
-    for (int32_t a = 0; a < c->n_moving; a++) {
+    for (int32_t a = 0; a < c->n_moving; a++, q += DIM, q0 += DIM) {
         double way[DIM];
-        EACH(k) way[k] = c->s.q[DIM * a + k] - q0[DIM * a + k];
-        most2 = fmax(most2, dot(way, way) * (c->m->node_kind[a] ? extent * extent : 1.0));
+        EACH(k) way[k] = q[k] - q0[k];
+        double way2 = dot(way, way);
+        if (c->m->node_kind[a]) way2 *= extent2;
+        if (way2 > most2) most2 = way2;
     }
     const double travel = start[S_TRAVEL] + sqrt(most2);
     head[S_TRAVEL] = travel + TRAVEL_ROUND_OFF * travel;

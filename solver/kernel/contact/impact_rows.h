@@ -13,7 +13,7 @@ HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double fa
     context still = *c;
     still.h = 1.0;
     const int32_t status = composite_slopes(&still, j, SLOPES_ALONE, &result);
-    if (!status) add_slopes(c, j, factor);
+    if (!status) add_slopes(c, j, factor, c->k.slope);
     return status;
 }
 

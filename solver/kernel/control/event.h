@@ -318,7 +318,7 @@ static int begins_to_slide(const context *c, double *length)
     return !(most > shortest);
 }
 
-/* Directions of slips in space at the end of a piece; whether one of them is about to stop. */
+/* Directions of slips in space at the end of a piece, whose functions (at) were evaluated last; whether one of them is about to stop. */
 static int follow_slips(context *c, event_values at)
 {
     int stops = 0;
@@ -327,7 +327,7 @@ static int follow_slips(context *c, event_values at)
         double along[3];
         if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)) continue;
         const double before = at.value[k];
-        at.value[k] = slip_of(c, f, along);
+        at.value[k] = direction_of(n_slips(c, f), c->k.slip_at_end + 3 * f, along);
         if (at.value[k] > 0.0) let_slide(c, f, along);
         if (!(at.rate[k] < 0.0) || at.value[k] > SLIP_LEFT / RESTING * speed_tolerance(c)) continue;
         if (mesh_of(c)) say_end(c, END_STOP, k, before);

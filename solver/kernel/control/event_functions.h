@@ -46,10 +46,10 @@ static int has_forces(const context *c)
     return 0;
 }
 
-/* Slip of friction f at the state, along the direction in which it slides. */
+/* Slip of friction f at the state, along the direction in which it slides; its rates are kept, see follow_slips. */
 static double slip_along(const context *c, int32_t f)
 {
-    double slip[3], sum = 0.0;
+    double *slip = c->k.slip_at_end + 3 * f, sum = 0.0;
     slip_rates(c, f, slip);
     for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * slip[k];
     return sum;
@@ -117,11 +117,12 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
 /* Largest square of the vectors x of the moving nodes; directors count times the size of the mechanism. */
 static double largest_square(const context *c, const double *x)
 {
-    const double extent = c->number[c->m->extent_at];
+    const double extent2 = hm_square(c->number[c->m->extent_at]);
     double largest = 0.0;
-    for (int32_t a = 0; a < c->n_moving; a++) {
-        const double *own = x + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
-        largest = fmax(largest, size * size * dot(own, own));
+    for (int32_t a = 0; a < c->n_moving; a++, x += DIM) {
+        double square = dot(x, x);
+        if (c->m->node_kind[a]) square *= extent2;
+        if (square > largest) largest = square; /* a call of fmax for each node costs as much as the rest */
     }
     return largest;
 }

@@ -76,25 +76,29 @@ static void book_step(context *c)
 
 /* Counts full turns of angles: one whose sine changes its sign where the cosine is negative leaves (-pi, pi]. Sines are kept, so
    that what is only measured costs one link an angle and step; moved are the increments of coordinates, NULL if short. */
+static void follow_angle(context *c, int32_t j, const double *moved)
+{
+    const int32_t *form = c->m->quantity_form + 2 * j;
+    double u[DIM], w[DIM], du[DIM] = {0.0}, dw[DIM] = {0.0}, *sine = c->s.sine + j;
+    const double before = *sine;
+    link_at_state(c, form[1], u, w);
+    *sine = dot(u, w);
+    if ((before < 0.0) == (*sine < 0.0)) return;
+    link_at_state(c, form[0], u, w);
+    if (moved) link_of(c, form[0], moved, du, dw);
+    const double cosine = dot(u, w);
+    EACH(k) u[k] -= du[k], w[k] -= dw[k];
+    const double sense = dot(u, w) * *sine - before * cosine;
+    if (*sine < 0.0 && sense > 0.0) c->s.turns[j] += 1.0;
+    if (before < 0.0 && sense < 0.0) c->s.turns[j] -= 1.0;
+}
+
+/* Likewise all. */
 static void follow_angles(context *c, const double *moved)
 {
-    const holonom_model *m = c->m;
-    for (int32_t j = 0; j < m->n_quantities; j++) {
-        const int32_t *form = m->quantity_form + 2 * j;
-        double u[DIM], w[DIM], du[DIM] = {0.0}, dw[DIM] = {0.0}, *sine = c->s.sine + j;
-        if (m->quantity_kind[j] != QUANTITY_ANGLE) continue;
-        const double before = *sine;
-        link_at_state(c, form[1], u, w);
-        *sine = dot(u, w);
-        if ((before < 0.0) == (*sine < 0.0)) continue;
-        link_at_state(c, form[0], u, w);
-        if (moved) link_of(c, form[0], moved, du, dw);
-        const double cosine = dot(u, w);
-        EACH(k) u[k] -= du[k], w[k] -= dw[k];
-        const double sense = dot(u, w) * *sine - before * cosine;
-        if (*sine < 0.0 && sense > 0.0) c->s.turns[j] += 1.0;
-        if (before < 0.0 && sense < 0.0) c->s.turns[j] -= 1.0;
-    }
+    const int32_t *kind = c->m->quantity_kind;
+    for (int32_t j = 0; j < c->m->n_quantities; j++)
+        if (kind[j] == QUANTITY_ANGLE) follow_angle(c, j, moved);
 }
 
 /* Quaternion of spatial body j from its directors, of the sign next to the last one (-q is the same rotation). */

@@ -214,7 +214,7 @@ static int32_t assemble_tangent(const context *c)
 static int32_t add_composites(const context *c)
 {
     const holonom_model *m = c->m;
-    int32_t before = -1;
+    int32_t before = -1, summed = -1; /* the last one, and if it is a slip whose slopes wait for those of the next one */
     EACH_COMPOSITE(c, j) {
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
         composite_result result = {0.0, 0.0, 0.0};
@@ -224,6 +224,9 @@ static int32_t add_composites(const context *c)
             c->k.phi[row] = 0.0;
             continue;
         }
+        const int is_first = summed < 0 || !is_next_slip(c, summed, j, SLOPES_ALONE);
+        if (summed >= 0 && is_first) add_slopes(c, summed, 1.0, c->k.slope_sum);
+        summed = -1;
         const int32_t status = next_slopes(c, before, j, SLOPES_ALONE, &result);
         if (status) return status;
         before = j;
@@ -237,9 +240,12 @@ static int32_t add_composites(const context *c)
         if (state == ROW_IS_SLIDING) {
             c->k.slip[row] = c->k.phi[row] / c->h;
             c->k.phi[row] = 0.0;
-        }
-        add_slopes(c, j, factor);
+            sum_slopes(c, j, factor, is_first);
+            summed = j;
+        } else
+            add_slopes(c, j, factor, c->k.slope);
     }
+    if (summed >= 0) add_slopes(c, summed, 1.0, c->k.slope_sum);
     if (n_frictions(m)) follow_cones(c);
     return HOLONOM_OK;
 }

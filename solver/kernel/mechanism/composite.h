@@ -51,7 +51,7 @@ static inline int32_t row_of(const context *c, int32_t j)
 /* Whether composite j follows a signal. */
 static int has_signal(const context *c, int32_t j)
 {
-    for (int32_t l = c->m->leaf_ptr[j]; l < c->m->leaf_ptr[j + 1]; l++)
+    for (int32_t l = c->m->leaf_ptr[j]; l < c->m->leaf_ptr[j + 1] && c->m->n_signals; l++)
         if (c->m->leaf[4 * l] == LEAF_SIGNAL) return 1;
     return 0;
 }
@@ -113,19 +113,13 @@ static int32_t set_angle(const double *first, const double *change, double theta
     return HOLONOM_OK;
 }
 
-/* Quantity of one leaf over the step; `point`: derivatives at the end instead of slopes over the step. */
-static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_state *leaf)
+/* Quantity of one leaf that is no form over the step; `point`: derivatives at the end instead of slopes over the step. */
+static int32_t set_curved_leaf(const context *c, const int32_t *entry, int point, leaf_state *leaf)
 {
     const int32_t q = entry[1], kind = c->m->quantity_kind[q];
     const local_form *form = (const local_form *)c->k.local + entry[2];
     int32_t status = HOLONOM_OK;
-    if (kind == QUANTITY_FORM) {
-        leaf->x0 = point ? form->s1 : form->s0;
-        leaf->x1 = form->s1;
-        leaf->dx = point ? 0.0 : form->ds;
-        leaf->p[0] = leaf->e[0] = 1.0;
-        leaf->curve[0] = 0.0;
-    } else if (kind == QUANTITY_LENGTH)
+    if (kind == QUANTITY_LENGTH)
         status = set_length(point ? form->s1 : form->s0, form->s1, point ? 0.0 : form->ds, leaf);
     else {
         const local_form *sine = (const local_form *)c->k.local + entry[3];
@@ -136,12 +130,32 @@ static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_
     return status;
 }
 
-/* Momentum += factor times the slopes of composite j at hand. */
-HM_OFTEN void add_slopes(const context *c, int32_t j, double factor)
+/* Likewise of any leaf. */
+HM_OFTEN int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_state *leaf)
+{
+    if (c->m->quantity_kind[entry[1]] != QUANTITY_FORM) return set_curved_leaf(c, entry, point, leaf);
+    const local_form *form = (const local_form *)c->k.local + entry[2];
+    leaf->x0 = point ? form->s1 : form->s0;
+    leaf->x1 = form->s1;
+    leaf->dx = point ? 0.0 : form->ds;
+    leaf->p[0] = leaf->e[0] = 1.0;
+    leaf->curve[0] = 0.0;
+    return HOLONOM_OK;
+}
+
+/* Momentum += factor times slopes of the forms of composite j at hand. */
+HM_OFTEN void add_slopes(const context *c, int32_t j, double factor, const double *slope)
 {
     const local_form *local = (const local_form *)c->k.local;
     for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1]; at++, f++)
-        add_gradient(c, c->m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
+        add_gradient(c, c->m->composite_form[at], factor * slope[f], local[f].um, local[f].wm, c->k.momentum);
+}
+
+/* Slips of one friction have the same forms: their slopes, times factors, are summed before they are added. */
+static void sum_slopes(const context *c, int32_t j, double factor, int is_first)
+{
+    const int32_t forms = c->m->composite_form_ptr[j + 1] - c->m->composite_form_ptr[j];
+    for (int32_t f = 0; f < forms; f++) c->k.slope_sum[f] = (is_first ? 0.0 : c->k.slope_sum[f]) + factor * c->k.slope[f];
 }
 
 /* Places of the composite's free entries, form by form, among its nodes. */

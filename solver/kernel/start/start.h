@@ -237,7 +237,7 @@ static int32_t residual_at_state(const context *at)
         if (!is_damped(at, j)) continue;
         if ((status = composite_slopes(at, j, SLOPES_ALONE, &unused))) break;
         const double share = damping_at_state(at, j, &power);
-        add_slopes(at, j, share);
+        add_slopes(at, j, share, at->k.slope);
     }
     if (is_reduced(at)) reduce_momentum(at);
     return status;

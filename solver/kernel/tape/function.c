@@ -247,19 +247,24 @@ void hm_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operation
 {
     const hm_registers one = {r->r0, r->r0, r->dr, r->adjoint, r->slope}; /* both ends are one */
     const double *x = r->r0;
+    double *adjoint = r->adjoint, *own = adjoint + n_leaves + n_operations;
     start_adjoints(n_leaves + n_operations, r);
-    for (int32_t k = n_operations - 1; k >= still; k--) {
-        const int32_t *op = operation + 4 * (int64_t)k;
-        if (!is_arithmetic(op)) {
-            for (int i = 1; i <= 2; i++)
-                if (op[i] >= 0) r->dr[op[i]] = 0.0;
-            find_slopes(op, n_leaves + k, numbers, &one);
-            pass_back(op, n_leaves + k, r);
-            continue;
+    for (const int32_t *op = operation + 4 * (int64_t)n_operations, *end = operation + 4 * (int64_t)still; op > end;) {
+        op -= 4;
+        const double slope = *--own;
+        const int32_t i = op[1], k = op[2];
+        if (op[0] == T_MUL) {
+            if (i >= 0) adjoint[i] += slope * number_or_register(k, numbers, x);
+            if (k >= 0) adjoint[k] += slope * number_or_register(i, numbers, x);
+        } else if (is_arithmetic(op)) {
+            if (i >= 0) adjoint[i] += slope;
+            if (k >= 0) adjoint[k] += op[0] == T_ADD ? slope : -slope;
+        } else {
+            if (i >= 0) r->dr[i] = 0.0;
+            if (k >= 0) r->dr[k] = 0.0;
+            find_slopes(op, (int32_t)(own - adjoint), numbers, &one);
+            pass_back(op, (int32_t)(own - adjoint), r);
         }
-        const double own = r->adjoint[n_leaves + k];
-        if (op[1] >= 0) r->adjoint[op[1]] += op[0] == T_MUL ? own * number_or_register(op[2], numbers, x) : own;
-        if (op[2] >= 0) r->adjoint[op[2]] += op[0] == T_MUL ? own * number_or_register(op[1], numbers, x) : op[0] == T_ADD ? own : -own;
     }
 }
 

@@ -35,6 +35,14 @@ HM_OFTEN void load_registers(const context *c, int32_t j, int mode)
     }
 }
 
+/* Likewise of a velocity row that follows no signal: what its leaves are on the mean. */
+HM_OFTEN void load_means(const context *c, int32_t j)
+{
+    const leaf_state *leaf = (const leaf_state *)c->k.leaves;
+    const int32_t *entry = c->m->leaf + 4 * c->m->leaf_ptr[j], *end = c->m->leaf + 4 * c->m->leaf_ptr[j + 1];
+    for (double *x = c->k.r.r0; entry < end; entry += 4, leaf++) *x++ = entry[0] == LEAF_RATE ? leaf->dx / c->h : leaf->x0 + 0.5 * leaf->dx;
+}
+
 /* Runs function j; returns the register of its value. */
 static int32_t run_function(const context *c, int32_t j)
 {
@@ -128,6 +136,9 @@ static int is_linear(const context *c, int32_t j)
     return !is_damped(c, j);
 }
 
+/* Whether function j takes the same values over the step and at its end: its slopes at the end are those over the step. */
+static int is_point_function(const context *c, int32_t j) { return is_velocity_row(c, j) && !has_signal(c, j); }
+
 /* Derivatives of the leaves' slopes with respect to the leaves at the end, by central differences, n x n into
    `matrix`: only the rate of Newton's iteration depends on them.                                              */
 static void differentiate_slopes(const context *c, int32_t j, double *matrix)
@@ -136,19 +147,24 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
     const hm_registers *r = &c->k.r;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j];
     const int is_velocity = is_velocity_row(c, j);
+    const int at_mean = is_point_function(c, j);
     for (int32_t k = 0; k < n; k++) {
         const int32_t *entry = m->leaf + 4 * (m->leaf_ptr[j] + k);
         for (int32_t l = 0; l < n; l++) matrix[n * l + k] = 0.0;
         if (entry[0] != LEAF_VALUE) continue;
         for (int side = 0; side < 2; side++) {
-            load_registers(c, j, OVER_STEP);
-            const double delta = 1e-6 * (fabs(r->r0[k]) + fabs(r->r1[k]) + 1e-2 * (1.0 + c->number[m->extent_at]));
+            if (at_mean) load_means(c, j);
+            else load_registers(c, j, OVER_STEP);
+            const double delta = 1e-6 * (fabs(r->r0[k]) + fabs(at_mean ? r->r0[k] : r->r1[k]) + 1e-2 * (1.0 + c->number[m->extent_at]));
             const double shift = side ? -delta : delta;
-            r->r1[k] += shift;
             if (is_velocity || is_seeking(c)) r->r0[k] += shift;
-            else r->dr[k] += shift;
-            run_function(c, j);
-            damp_slopes(c, j);
+            if (at_mean) run_velocity_row(c, j, 0, 0); /* slopes of leaves that are no rates are not asked for */
+            else {
+                r->r1[k] += shift;
+                if (!is_velocity && !is_seeking(c)) r->dr[k] += shift;
+                run_function(c, j);
+                damp_slopes(c, j);
+            }
             const double weight = (side ? -0.5 : 0.5) / delta * (is_velocity ? c->theta : 1.0);
             for (int32_t l = 0; l < n; l++) matrix[n * l + k] += weight * r->adjoint[l];
         }
@@ -184,9 +200,6 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
     }
 }
 
-/* Whether function j takes the same values over the step and at its end: its slopes at the end are those over the step. */
-static int is_point_function(const context *c, int32_t j) { return is_velocity_row(c, j) && !has_signal(c, j); }
-
 /* What is asked of a composite besides its slopes: derivatives of its value at the end, and of its slopes, too. */
 enum { SLOPES_ALONE, WITH_ENDS, WITH_STIFFNESS };
 
@@ -196,9 +209,10 @@ static int32_t set_leaves(const context *c, int32_t j, int asked, int is_point, 
     const holonom_model *m = c->m;
     leaf_state *leaf = (leaf_state *)c->k.leaves;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j];
-    for (int32_t l = 0; l < n; l++) {
-        const int32_t *entry = m->leaf + 4 * (m->leaf_ptr[j] + l);
-        const int32_t status = entry[0] == LEAF_SIGNAL ? 0 : set_leaf(c, entry, is_seeking(c), leaf + l);
+    const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
+    const int seeks = is_seeking(c);
+    for (int32_t l = 0; l < n; l++, entry += 4) {
+        const int32_t status = entry[0] == LEAF_SIGNAL ? 0 : set_leaf(c, entry, seeks, leaf + l);
         if (status) return status;
     }
     if (asked == WITH_STIFFNESS) differentiate_slopes(c, j, matrix);
@@ -217,11 +231,12 @@ static double gather_slopes(const context *c, int32_t j)
     const double *slope = c->k.r.adjoint;
     double mechanical = 0.0;
     memset(c->k.slope, 0, sizeof(double) * (size_t)(m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]));
-    for (int32_t at = m->leaf_ptr[j], l = 0; at < m->leaf_ptr[j + 1]; at++, l++) {
-        const int32_t *entry = m->leaf + 4 * at;
-        if (entry[0] == LEAF_SIGNAL || (is_velocity_row(c, j) && entry[0] == LEAF_VALUE)) continue;
-        mechanical += slope[l] * leaf[l].dx;
-        for (int f = 0; f < 2 && entry[2 + f] >= 0; f++) c->k.slope[entry[2 + f]] += slope[l] * leaf[l].p[f];
+    const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j], *end = m->leaf + 4 * m->leaf_ptr[j + 1];
+    const int32_t left_out = is_velocity_row(c, j) ? LEAF_VALUE : LEAF_SIGNAL; /* forces act along the rates */
+    for (; entry < end; entry += 4, slope++, leaf++) {
+        if (entry[0] == LEAF_SIGNAL || entry[0] == left_out) continue;
+        mechanical += *slope * leaf->dx;
+        for (int f = 0; f < 2 && entry[2 + f] >= 0; f++) c->k.slope[entry[2 + f]] += *slope * leaf->p[f];
     }
     return mechanical;
 }
@@ -233,11 +248,12 @@ static int32_t function_slopes(const context *c, int32_t j, int asked, int is_ne
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
     const int straight = asked && is_linear(c, j);
     const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
-    const int is_point = asked && !straight && is_point_function(c, j);
+    const int at_mean = is_point_function(c, j), is_point = asked && !straight && at_mean;
     const int32_t status = is_next ? HOLONOM_OK : set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
     if (status) return status;
-    if (!is_next) load_registers(c, j, OVER_STEP);
-    const int32_t last = is_velocity_row(c, j) && !has_signal(c, j) ? run_velocity_row(c, j, asked, is_next) : run_function(c, j);
+    if (!is_next && !at_mean) load_registers(c, j, OVER_STEP);
+    if (!is_next && at_mean) load_means(c, j);
+    const int32_t last = at_mean ? run_velocity_row(c, j, asked, is_next) : run_function(c, j);
     damp_slopes(c, j);
     leaf_state *leaf = (leaf_state *)c->k.leaves;
     for (int32_t l = 0; l < n && (straight || is_point); l++) leaf[l].n_end = c->k.r.adjoint[l];
