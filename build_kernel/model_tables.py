@@ -25,10 +25,6 @@ from build_kernel import elementary_tables
 
 ONE_AT_A_TIME = Lock()
 """Python up to 3.11 at times refuses a text that it parses while another thread parses as well."""
-ROOMS = {
-    "check_tables": "run/", "exponential_tables": "math/", "trigonometric_tables": "math/",
-}  # fmt: skip
-"""Folders of headers that are not for all."""
 INTEGERS = {"i": "int32_t", "I": "uint32_t", "Q": "uint64_t", "B": "uint8_t", "d": "double"}
 
 
@@ -64,7 +60,7 @@ def declared(path: Path) -> Declared:
 
 
 def headers(solver: Path) -> dict[str, str]:
-    """Return the text of each header by its path in the kernel; `solver` is that package."""
+    """Return the text of each header by its name; `solver` is the folder of that package."""
     layout, scratch = (declared(solver / x) for x in ("runtime/layout.py", "kernel/scratch.py"))
     structures = (
         *_structures(layout, scratch, declared(solver / "options.py").values),
@@ -76,10 +72,7 @@ def headers(solver: Path) -> dict[str, str]:
         ("check_tables", '"model_file.h"', _checks(layout.values)),
         *((name, '"double_double.h"', x) for name, x in elementary_tables.tables().items()),
     )
-    return {
-        f"{ROOMS.get(name, '')}{name}.h": _header(name, include, parts)
-        for name, include, parts in found
-    }
+    return {f"{name}.h": _header(name, include, parts) for name, include, parts in found}
 
 
 def write_headers(solver: Path) -> None:
@@ -88,7 +81,6 @@ def write_headers(solver: Path) -> None:
         for name, text in headers(solver).items():
             path = solver / "kernel" / name
             if not path.exists() or path.read_text("utf-8") != text:
-                path.parent.mkdir(exist_ok=True)
                 mine = path.with_suffix(f".{os.getpid()}")  # other processes may write it as well
                 mine.write_text(text, "utf-8")
                 mine.replace(path)

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import mpmath
 
-from build_kernel.compiler import system_compiler, zig_compiler
+from build_kernel.compiler import includes, system_compiler, zig_compiler
 
 KERNEL = Path(__file__).parents[3] / "solver" / "kernel"
 SOURCES = [str(KERNEL / "math" / name) for name in ("exponential.c", "trigonometric.c")]
@@ -35,7 +35,7 @@ def library() -> ctypes.CDLL:
     compiler = system_compiler() or zig_compiler() or ["cc"]
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "elementary.so")
-        flags = ["-std=c99", "-O3", "-ffp-contract=off", "-fPIC", "-shared"]
+        flags = ["-std=c99", "-O3", "-ffp-contract=off", "-fPIC", "-shared", *includes(KERNEL)]
         command = [*compiler, *flags, "-o", str(target), *SOURCES, "-lm"]
         subprocess.run(command, check=True)
         return ctypes.CDLL(str(target))
