@@ -238,7 +238,8 @@ double hm_value(const int32_t *operation, int32_t n_leaves, int32_t n_operations
             continue;
         }
         const double a = number_or_register(op[1], numbers, x), b = number_or_register(op[2], numbers, x);
-        *result++ = op[0] == T_MUL ? a * b : op[0] == T_ADD ? a + b : a - b;
+        if (op[0] == T_MUL) *result++ = a * b;
+        else *result++ = op[0] == T_ADD ? a + b : a - b;
     }
     return result[-1];
 }
@@ -258,8 +259,14 @@ void hm_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operation
             continue;
         }
         const double own = r->adjoint[n_leaves + k];
-        if (op[1] >= 0) r->adjoint[op[1]] += op[0] == T_MUL ? own * number_or_register(op[2], numbers, x) : own;
-        if (op[2] >= 0) r->adjoint[op[2]] += op[0] == T_MUL ? own * number_or_register(op[1], numbers, x) : op[0] == T_ADD ? own : -own;
+        const int32_t first = op[1], second = op[2];
+        if (op[0] == T_MUL) {
+            if (first >= 0) r->adjoint[first] += own * number_or_register(second, numbers, x);
+            if (second >= 0) r->adjoint[second] += own * number_or_register(first, numbers, x);
+            continue;
+        }
+        if (first >= 0) r->adjoint[first] += own;
+        if (second >= 0) r->adjoint[second] += op[0] == T_ADD ? own : -own;
     }
 }
 
