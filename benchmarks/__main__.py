@@ -12,26 +12,26 @@ from importlib import import_module
 from pathlib import Path
 
 import solver
-from benchmarks.effort import FULL, QUICK, Effort
-from benchmarks.machine import describe
-from benchmarks.report import Section, as_json, as_markdown, merged
+from benchmarks.measuring.effort import FULL, QUICK, Effort
+from benchmarks.measuring.machine import describe
+from benchmarks.pages.report import Section, as_json, as_markdown, merged
 
 SECTIONS = {
-    "steps": "benchmarks.steps",
-    "chains": "benchmarks.chains",
-    "fmu": "benchmarks.fmu",
-    "native": "benchmarks.native",
-    "sweeps": "benchmarks.sweeps",
-    "work-precision": "benchmarks.work_precision",
-    "formulations": "benchmarks.formulations",
-    "long-run": "benchmarks.long_run",
-    "mechanisms": "benchmarks.scene_steps",
-    "rigid-chains": "benchmarks.rigid_chains",
-    "instructions": "benchmarks.instructions",
-    "tolerances": "benchmarks.tolerances",
-    "stability": "benchmarks.stability",
-    "stress": "benchmarks.stress",
-    "skips": "benchmarks.skips",
+    "steps": "benchmarks.sections.steps",
+    "chains": "benchmarks.sections.chains",
+    "fmu": "benchmarks.sections.fmu",
+    "native": "benchmarks.sections.native",
+    "sweeps": "benchmarks.sections.sweeps",
+    "work-precision": "benchmarks.sections.work_precision",
+    "formulations": "benchmarks.sections.formulations",
+    "long-run": "benchmarks.sections.long_run",
+    "mechanisms": "benchmarks.sections.scene_steps",
+    "rigid-chains": "benchmarks.sections.rigid_chains",
+    "instructions": "benchmarks.sections.instructions",
+    "tolerances": "benchmarks.sections.tolerances",
+    "stability": "benchmarks.sections.stability",
+    "stress": "benchmarks.sections.stress",
+    "skips": "benchmarks.sections.skips",
     "contact": "benchmarks.contact.section",
     "contact-scenes": "benchmarks.contact.scenes",
     "contact-laws": "benchmarks.contact_laws.section",

@@ -134,7 +134,9 @@ def _structures(layout: Declared, scratch: Declared, options: Values) -> Iterato
         ),
     ])  # fmt: skip
     yield _structure("hm_registers", ["    double *r0, *r1, *dr, *adjoint, *slope;"])
-    yield _structure("hm_state", ["    double *head;", *_vectors(layout, "STATE")])
+    lengths = ", ".join(f"n_{group}" for group in values["GROUPS"])
+    vectors = "    double *head;", *_vectors(layout, "STATE"), f"    int64_t {lengths};"
+    yield _structure("hm_state", vectors)
     yield _structure("hm_work", _vectors(scratch, "WORK"))
     yield _structure("hm_measured", _vectors(layout, "MEASURED"))
     for name in ("HEADER", "VARIABLE", "RULE", "ROW"):
@@ -157,7 +159,8 @@ def _vectors(declaration: Declared, table: str) -> Iterator[str]:
             yield "    hm_registers r;"
         elif not name.startswith("r.") and not name.endswith("_second"):
             field = name.replace("_first", "[2]")
-            yield _noted(f"double *{field};", length, declaration.note(table, name))
+            notes = (declaration.note(x, name) for x in (table, "MOTION", "FOLLOWING", "MODES"))
+            yield _noted(f"double *{field};", length, next(filter(None, notes), ""))
 
 
 def _record(layout: Declared, table: str) -> Iterator[str]:
@@ -191,7 +194,7 @@ def _constant(name: str) -> str:
 
 def _enumerations(layout: Declared, errors: Declared) -> Iterator[str]:
     values = layout.values
-    sizes = {f"N_{name}": len(values[name]) for name in ("SIZES", "TABLES", "OFFSETS")}
+    sizes = {f"N_{name}": len(values[name]) for name in ("SIZES", "TABLES", "OFFSETS", "ACCOUNTS")}
     yield "enum { " + ", ".join(f"{name} = {size}" for name, size in sizes.items()) + " };\n"
     whole = [name for name, x in values.items() if name.isupper() and type(x) is int]
     codes = [name for name in whole if name not in ("ENTRY_POINTS", "ABI")]
@@ -249,9 +252,10 @@ def _field(name: str) -> str:
 def _sections(layout: Mapping[str, Any], scratch: Mapping[str, Any]) -> Iterator[str]:
     """Yield functions that lay the vectors of a structure over a block, and those of its length."""
     counts = layout["COUNTS"] | scratch["COUNTS"]
-    for name, lengths in (
-        ("state", {"head": "S_HEAD"} | layout["STATE"]), ("work", scratch["WORK"]),
-        ("measured", layout["MEASURED"]),
+    groups = [f"n_{group}" for group in layout["GROUPS"]]
+    for name, lengths, kept in (
+        ("state", {"head": "S_HEAD"} | layout["STATE"], groups), ("work", scratch["WORK"], []),
+        ("measured", layout["MEASURED"], []),
     ):  # fmt: skip
         counted = _counts(counts, lengths.values(), layout["SIZES"])
         in_c = {field: _in_c(length, layout["SIZES"]) for field, length in lengths.items()}
@@ -262,7 +266,8 @@ def _sections(layout: Mapping[str, Any], scratch: Mapping[str, Any]) -> Iterator
         ])  # fmt: skip
         yield "\n".join([
             f"int64_t hm_map_{name}(const holonom_model *m, double *block, hm_{name} *x)\n{{",
-            *counted, "    const double *begin = block;",
+            *_counts(counts, [*lengths.values(), *kept], layout["SIZES"]),
+            "    const double *begin = block;", *(f"    x->{count} = {count};" for count in kept),
             *(
                 f"    x->{_field(field)} = block, block += {length};"
                 for field, length in in_c.items()

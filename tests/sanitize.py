@@ -82,11 +82,11 @@ def copy_with_sanitizers(folder: Path, optimisation: str) -> None:
 
 
 def run_in(folder: Path, every: int) -> subprocess.CompletedProcess[str]:
-    """Run each `every`-th case of ``tests.sanitized_runs`` with the copy in a folder."""
+    """Run each `every`-th case of ``sanitized_runs`` with the copy in a folder."""
     environment = dict(os.environ) | SETTINGS
     environment["PYTHONPATH"] = os.pathsep.join([str(folder), str(ROOT)])
     environment["LD_PRELOAD"] = " ".join(_preloaded())
-    command = [sys.executable, "-m", "tests.sanitized_runs", str(every)]
+    command = [sys.executable, "-m", "tests.support.kernel.sanitized_runs", str(every)]
     return subprocess.run(command, cwd=folder, env=environment, text=True, capture_output=True)
 
 

@@ -20,8 +20,8 @@ from pathlib import Path
 
 import solver
 from solver.options import ORDERS
-from tests.scene_files import SMOOTH
-from tests.twins import EVERYTHING
+from tests.support.kernel.twins import EVERYTHING
+from tests.support.mechanisms.scene_files import SMOOTH
 
 Settings = dict[str, str | float | bool]
 

@@ -41,8 +41,8 @@ from benchmarks.contact.problems import (
     score,
     touches,
 )
-from benchmarks.peer_methods import GaveUpError
-from benchmarks.timing import Entry
+from benchmarks.measuring.timing import Entry
+from benchmarks.peers.peer_methods import GaveUpError
 
 Kind = exu.OutputVariableType
 PIN = 1e-3

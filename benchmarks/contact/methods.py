@@ -1,7 +1,7 @@
 """A way of solving problems with impacts, its settings, and the best of what it reaches.
 
 The same loop runs here and, for codes that have interpreters of their own, in theirs
-(`benchmarks.peer_run`): NumPy alone is needed.
+(`benchmarks.peers.peer_run`): NumPy alone is needed.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from importlib import import_module
 from typing import Any
 
 from benchmarks.contact.problems import PROBLEMS, Problem, Score
-from benchmarks.effort import repeated
-from benchmarks.peer_methods import GaveUpError, Row, once
-from benchmarks.timing import Entry, interleave
+from benchmarks.measuring.effort import repeated
+from benchmarks.measuring.timing import Entry, interleave
+from benchmarks.peers.peer_methods import GaveUpError, Row, once
 
 Setting = dict[str, Any]
 REPETITIONS = 5

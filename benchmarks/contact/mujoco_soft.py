@@ -29,8 +29,8 @@ from benchmarks.contact.problems import (
     score,
     touches,
 )
-from benchmarks.peer_methods import GaveUpError
-from benchmarks.timing import Entry
+from benchmarks.measuring.timing import Entry
+from benchmarks.peers.peer_methods import GaveUpError
 
 # What diverges is seen in the score; MuJoCo would write a file of it here.
 mujoco.set_mju_user_warning(lambda _: None)

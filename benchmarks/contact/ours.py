@@ -14,8 +14,8 @@ from pathlib import Path
 import solver
 from benchmarks.contact.methods import Method, Setting
 from benchmarks.contact.problems import Problem, Score, score
-from benchmarks.peer_methods import GaveUpError
-from benchmarks.timing import Entry
+from benchmarks.measuring.timing import Entry
+from benchmarks.peers.peer_methods import GaveUpError
 from solver.runtime import Integrator, Model, StepError
 
 CONTACTS = {"ball": "floor", "circle": "wall", "slider_crank": "wrist"}

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 GRAVITY = 9.81
 FALL = math.sqrt(2.0 / GRAVITY)

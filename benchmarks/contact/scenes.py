@@ -13,13 +13,13 @@ from pathlib import Path
 
 import solver
 from benchmarks.contact.problems import SLIDER_CRANK
-from benchmarks.effort import Effort
-from benchmarks.report import Section, Table, Value
-from benchmarks.stepping import in_equal_steps
-from benchmarks.timing import Entry, Times, interleave
+from benchmarks.measuring.effort import Effort
+from benchmarks.measuring.stepping import in_equal_steps
+from benchmarks.measuring.timing import Entry, Times, interleave
+from benchmarks.pages.report import Section, Table, Value
 from solver.options import step_of
 from solver.runtime import Integrator
-from tests.scene_files import TOUCHING
+from tests.support.mechanisms.scene_files import TOUCHING
 
 BISECTIONS = 50
 COLUMNS = {

@@ -16,9 +16,9 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.contact.methods import Method, Setting
 from benchmarks.contact.problems import CRANK, GRAVITY, START, Problem, Score, score
-from benchmarks.peer_methods import GaveUpError
-from benchmarks.problems_parts import Array
-from benchmarks.timing import Entry
+from benchmarks.measuring.timing import Entry
+from benchmarks.peers.peer_methods import GaveUpError
+from benchmarks.problems.parts import Array
 
 METHOD_NAMES = ("RK45", "DOP853", "LSODA")
 TOLERANCES = tuple(10.0**-k for k in range(3, 13))

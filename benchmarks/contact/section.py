@@ -9,10 +9,10 @@ import solver
 from benchmarks.contact import ours, scipy_events
 from benchmarks.contact.methods import USUAL, Limits, Row, measured, reached
 from benchmarks.contact.problems import PROBLEMS, Problem
-from benchmarks.effort import Effort
-from benchmarks.peer_interpreter import InterpreterError, answer, packages_there, remarks
-from benchmarks.peer_processes import ONE
-from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.measuring.effort import Effort
+from benchmarks.pages.report import Goal, Section, Table, Value
+from benchmarks.peers.peer_interpreter import InterpreterError, answer, packages_there, remarks
+from benchmarks.peers.peer_processes import ONE
 
 CODES = {"mujoco_soft": ("MuJoCo", "mujoco"), "exudyn_penalty": ("Exudyn", "exudyn")}
 """Module of each code that runs in a process of its own, its name and that of its package."""
@@ -117,7 +117,7 @@ def _absence() -> str:
 
 def _answered(module: str, problem: Problem, limits: Limits) -> list[Row]:
     request = {"module": module, "problem": problem.key, "limits": asdict(limits)}
-    program = ["-m", "benchmarks.peer_run", "benchmarks.contact.methods"]
+    program = ["-m", "benchmarks.peers.peer_run", "benchmarks.contact.methods"]
     return answer(program, request, patience=PATIENCE, environment=ONE)
 
 

@@ -58,7 +58,7 @@ from benchmarks.contact_laws.experiments import (
     turned_by,
 )
 from benchmarks.contact_laws.method import Method, RefusedError
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 DURATION = 2e-5
 """Of a contact without friction [s]; stiffnesses follow."""

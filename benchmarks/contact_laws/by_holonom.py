@@ -28,7 +28,7 @@ from benchmarks.contact_laws.experiments import (
     turned_by,
 )
 from benchmarks.contact_laws.method import Method, RefusedError
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 LOCATED = 1e-5
 """Step [s]; bodies touch from the start, and velocities are led back to it in a straight line."""

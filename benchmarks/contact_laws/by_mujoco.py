@@ -31,7 +31,7 @@ from benchmarks.contact_laws.experiments import (
     turned_by,
 )
 from benchmarks.contact_laws.method import Method, RefusedError
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 STEP = 1e-6
 """Of an impact [s]."""

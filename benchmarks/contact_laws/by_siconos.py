@@ -21,7 +21,7 @@ from benchmarks.contact_laws.experiments import (
     parked_rows,
 )
 from benchmarks.contact_laws.method import Method, RefusedError
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 THETA = 0.5
 SHORT = 1e-6

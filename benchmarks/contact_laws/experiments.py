@@ -14,7 +14,7 @@ from itertools import product
 
 import numpy as np
 
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 GRAVITY = 9.81
 

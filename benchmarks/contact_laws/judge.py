@@ -11,8 +11,8 @@ import numpy as np
 from benchmarks.contact_laws.experiments import DEMANDS, IMPACTS, Case, Impact, cases, slid
 from benchmarks.contact_laws.method import Answers
 from benchmarks.contact_laws.textbook import springs
-from benchmarks.problems_parts import Array
-from benchmarks.report import Value
+from benchmarks.pages.report import Value
+from benchmarks.problems.parts import Array
 
 Found = list[tuple[Case, Array]]
 """Cases that a code came to an end of, with the velocities after them."""

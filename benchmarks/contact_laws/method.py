@@ -8,7 +8,7 @@ from importlib import import_module
 from typing import Any
 
 from benchmarks.contact_laws.experiments import DEMANDS, Impact, Rest, cases
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 
 class RefusedError(Exception):

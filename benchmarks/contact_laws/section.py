@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from benchmarks.contact_laws import by_holonom, judge, textbook
 from benchmarks.contact_laws.method import Answers, answers
-from benchmarks.effort import Effort
-from benchmarks.peer_interpreter import (
+from benchmarks.measuring.effort import Effort
+from benchmarks.pages.report import Section, Table
+from benchmarks.peers.peer_interpreter import (
     VARIABLE,
     InterpreterError,
     answer,
     packages_there,
     remarks,
 )
-from benchmarks.peer_processes import ONE
-from benchmarks.report import Section, Table
+from benchmarks.peers.peer_processes import ONE
 
 PEERS = {
     "by_mujoco": ("MuJoCo", "mujoco", VARIABLE),
@@ -71,7 +71,7 @@ def measure(_: Effort) -> Section:
 
 
 def _of_peer(module: str, variable: str) -> list[Answers]:
-    program = ["-m", "benchmarks.peer_run", "benchmarks.contact_laws.method"]
+    program = ["-m", "benchmarks.peers.peer_run", "benchmarks.contact_laws.method"]
     request = {"module": module}
     return answer(program, request, patience=PATIENCE, environment=ONE, variable=variable)
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from benchmarks.contact_laws.experiments import Impact
 from benchmarks.contact_laws.method import Method, RefusedError
-from benchmarks.problems_parts import Array
+from benchmarks.problems.parts import Array
 
 SWEEPS = 20_000
 ROUND_OFF = 1e-15

@@ -11,7 +11,49 @@
 #include <string.h>
 
 /* Compositions of pairs, weighted covers by pairs (extrapolation.h), explicit steps (runge_kutta.h), or none of them. */
-enum way { COMPOSED, COVERED, EXPLICIT, UNTAKEN };
+enum method_kind { COMPOSED, COVERED, EXPLICIT, UNTAKEN };
+
+/* How an internal step was taken, and what it tells of its error. */
+typedef struct step_result {
+    enum method_kind method;
+    int finest;               /* pairs of a cover whose weighted end was not taken; else 0                      */
+    double difference;        /* of an explicit step from one of lower order, relative to size and speed        */
+    double free_part;         /* of it, that rows leave free                                                    */
+    double energy_correction; /* change of velocities that brought energy onto the ledger, relative to speed    */
+    double growth;            /* of its error by the motion to come, see put_back.h                             */
+    double longest_put_back;  /* next explicit step, by the difference of this one [s]                          */
+    double shorter;           /* length of the next try over that of a step that failed                         */
+} step_result;
+
+/* Pairs of increments and what they changed, at length h with these factors, and whether the last ones are known; see secants.h. */
+typedef struct secant_pairs {
+    int32_t count;
+    int has_last;
+    double h;
+    const holonom_elimination *lu;
+} secant_pairs;
+
+/* Switches of laws: when the next of the time changes, infinite without one, NaN: not known; the time after which one that changes again
+   does not go forth and back without end; when they last changed, and how often in turn without a pause. */
+typedef struct switch_times {
+    double next, pause, last;
+    int quick;
+} switch_times;
+
+/* The event at hand: the function that has become 0, or -1; whether step_halving had to divide the step, so that event_backup has its start;
+   of contacts at rest whether forces as half steps tell them are outside the cones, whether functions are those of what sticks
+   together, and whether these hold no longer. */
+typedef struct event_at_hand {
+    int32_t function;
+    int divided, outside, together, gives_way;
+} event_at_hand;
+
+/* Factors of the internal step at hand: of which length of a half step (0: none are), and increments of the last one that made its own. */
+typedef struct kept_factors {
+    double h;
+    const holonom_elimination *lu;
+    int increments;
+} kept_factors;
 
 typedef struct span {
     int32_t begin, end;
@@ -41,41 +83,21 @@ typedef struct context {
     int constraints_only;      /* 1: only the rows act                                                               */
     int careful;               /* 1: smooth frictions have steeper slopes in the tangent: a step has failed           */
     int at_state;              /* 1: there is no step, and slips are those of the velocities                         */
-    enum way way;       /* how the last internal step was taken                                                    */
-    int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
     int soft;           /* whether the tangent leaves out how forces of sliding frictions turn with the place          */
-    int outside;        /* whether forces as the half steps tell them are outside the cones of contacts at rest        */
-    int together;       /* whether functions of events are those of contacts that stick together                    */
     int may_share;      /* whether rows may depend on each other, by the forces evaluated last                        */
-    int gives_way;      /* whether the event at hand is that these hold no longer                                  */
     int reads;          /* whether laws read the increment that is solved for, see inputs_signals.h          */
     int foretells;      /* whether they read a prediction of it, since it had no solution                           */
-    int32_t n_secants;  /* pairs of increments and what they changed, at this length with these factors, see secants.h */
-    int has_last;       /* whether the last increment and what was solved for it are known                        */
-    double secants_h;
-    const holonom_elimination *secants_lu;
     int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
     double unsettled;   /* size of the step's last increment over its length [kg^1/2 m/s]; infinite before the first one */
     int defers_friction; /* whether frictions of contacts act at the end of a half step alone, see stepped.h      */
     int32_t n_kept_forces; /* times within the step at hand of which multipliers are kept, see keep_forces                 */
-    int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
-    int32_t event;      /* function of event.h that has become 0, or -1                                        */
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0; see fault.h */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
-    double longest_put_back; /* explicit step, by the difference of the last one [s]                               */
-    double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
-    double free_part;   /* of it, that rows leave free                                                            */
-    double shorter;     /* length of the next try over that of the step that failed                                */
-    double growth;      /* of an error of an explicit step by the motion to come, see put_back.h                      */
-    double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
     int rows_known;     /* whether phi has the rows at the state, from the half step before in this internal one     */
     int firm;           /* whether the rows determine all multipliers well, by the factors at hand                */
-    double factors_h;   /* length of the half step whose factors are at hand, of this internal step; else 0     */
-    const holonom_elimination *factors_lu;
-    int fresh_increments; /* of the last half step that made its own                                           */
     /* The islands at hand, one or all: where they begin and end by columns, the scalars of the first, their moving nodes
        (driven ones belong to the last island), and pieces that need not lie side by side: rows (form rows,
        coincidences, functions, velocity rows) and composites.                                                  */
@@ -89,10 +111,11 @@ typedef struct context {
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
     const int32_t *near[NEAR_LISTS]; /* of each index the first one from it on that is near; NULL: all are         */
     int may_fall_asleep;       /* whether a contact that is awake is far enough to sleep, see far_contacts.h            */
-    double stop;        /* next time at which a switch changes, infinite without one; NaN: not known            */
-    double pause;       /* time after which a switch that changes again does not go forth and back without end  */
-    double switched;    /* when switches last changed, and how often in turn without a pause                   */
-    int quick;
+    step_result last; /* of the last internal step */
+    secant_pairs secants;
+    switch_times switches;
+    event_at_hand event;
+    kept_factors kept_factors;
     holonom_watch *watch; /* who may end the start or the step, or NULL                                           */
     holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL                                    */
 } context;
@@ -247,7 +270,7 @@ static inline const holonom_elimination *lean_factors(const context *c)
 
 /* Copies the state to a backup, and back. */
 static void keep_state(const context *c, double *backup) { memcpy(backup, c->s.head, sizeof(double) * (size_t)c->state_size); }
-static void take_state(const context *c, const double *backup) { memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
+static void take_state(context *c, const double *backup) { memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
 
 static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 
@@ -276,28 +299,19 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->constraints_only = c->careful = c->at_state = c->unweighted = c->damped = 0;
-    c->balanced = c->difference = 0.0;
-    c->free_part = c->growth = 1.0;
-    c->shorter = 0.5;
-    c->stop = NAN;
-    c->pause = 0.0, c->switched = -INFINITY, c->quick = 0;
+    c->last = (step_result){.method = COMPOSED, .free_part = 1.0, .growth = 1.0, .longest_put_back = INFINITY, .shorter = 0.5};
+    c->switches = (switch_times){.next = NAN, .last = -INFINITY};
     if (m->switching) c->k.watched[0] = INFINITY, c->k.watched[1] = -INFINITY;
-    c->longest_put_back = INFINITY;
-    c->way = COMPOSED;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->samples = c->divided = c->sliding = c->soft = c->outside = c->together = c->may_share = c->gives_way = 0;
-    c->stepping = c->reads = c->foretells = c->n_kept_forces = c->n_secants = c->has_last = c->defers_friction = 0;
+    c->constraints_only = c->careful = c->at_state = c->damped = c->at_fault = c->samples = c->sliding = c->soft = c->may_share = 0;
+    c->stepping = c->reads = c->foretells = c->n_kept_forces = c->defers_friction = c->may_fall_asleep = c->rows_known = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
-    c->may_fall_asleep = 0;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);
-    c->factors_lu = c->secants_lu = c->lu;
-    c->secants_h = 0.0;
-    c->factors_h = 0.0;
-    c->rows_known = 0;
-    c->fresh_increments = 0;
+    c->event = (event_at_hand){0};
+    c->kept_factors = (kept_factors){.lu = c->lu};
+    c->secants = (secant_pairs){.lu = c->lu};
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
 

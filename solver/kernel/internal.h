@@ -52,7 +52,7 @@ static inline int is_unilateral(const holonom_model *m) { return HM_CONTACTS && 
 static inline int32_t n_contacts(const holonom_model *m) { return HM_CONTACTS ? m->n_contacts : 0; }
 static inline int32_t n_frictions(const holonom_model *m) { return HM_CONTACTS ? m->n_frictions : 0; }
 
-/* What a step leaves out where it can (docs/skips.md), and the places that ask. Always so, but for benchmarks/skips.py,
+/* What a step leaves out where it can (docs/skips.md), and the places that ask. Always so, but for benchmarks/sections/skips.py,
    which measures what each saves with kernels compiled with -DHOLONOM_WITHOUT=<sum of these>.                     */
 enum skip {
     SKIP_STIFFNESS = 1,       /* lean factors: choose_factors                  */

@@ -68,11 +68,11 @@ WORK = {
     "leaves": "n_registers * n_leaf_numbers",  # end slopes and changes of a composite's leaves
     "r.r0": "n_registers", "r.r1": "n_registers", "r.dr": "n_registers",  # of one function
     "r.adjoint": "n_registers", "r.slope": "3 * n_registers",
-    "estimate": "6 * n",  # in q and v; of weighted covers: change from the finest one, behind it
+    "estimate": "3 * n_motion",  # of weighted covers: change from the finest one, behind it
     # differences from the order before, and of that from the one before it
     "loss": "n_elements + n_function_rows + n_velocity_rows + n_potentials",  # to each composite
     "weighted_loss": "n_elements + n_function_rows + n_velocity_rows + n_potentials",
-    "stages": "24 * n",  # velocities and accelerations of twelve, see stages.h
+    "stages": "12 * n_motion",  # velocities and accelerations of twelve, see stages.h
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
     "kept_forces": "16 * n_rows * unilateral", "kept_time": "16",  # of the step, see keep_forces

@@ -24,6 +24,7 @@ from solver.scene import Expr, Number
 from solver.scene.expression import Curve, Grid, Operand, operate, symbol
 
 CODE = {name: code for code, name in enumerate(CODES)}
+GRIDS = {code for name, code in CODE.items() if name.startswith("grid")}
 
 
 class Segment(IntEnum):
@@ -358,13 +359,16 @@ class Numbers:
     def slips(self, values: Sequence[Number], leaves: Sequence[Leaf]) -> list[Operations]:
         """Return the operations of several formulas over the same leaves, linear in rates.
 
-        What no rate enters comes first, in all of them, and then what all of them need.
+        What no rate enters comes first, in all of them, and then what all of them need. No rate
+        may enter a grid: it is not linear in one, and its coordinates stand one behind the other.
         """
         n_leaves = len(leaves)
         operations, ends = self._compiled(values, n_leaves)
         moves = [leaf.kind == LEAF_RATE for leaf in leaves]
-        for _, *arguments in operations:
-            moves.append(any(at >= 0 and moves[at] for at in arguments))
+        for code, first, *others in operations:
+            coordinates = range(first, first + 3) if code in GRIDS else ()
+            assert not any(moves[at] for at in coordinates), "a slip has a grid of rates"
+            moves.append(any(at >= 0 and moves[at] for at in (first, *others)))
         needed = [self._needed(operations, n_leaves, end) for end in ends]
         places = range(n_leaves, n_leaves + len(operations))
         still = [at for at in places if not moves[at]]

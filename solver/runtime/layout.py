@@ -281,13 +281,14 @@ OFFSETS = {
 }
 """Sections of the vector of numbers."""
 
+ACCOUNTS = ("work", "dissipated", "defect", "residual", "impact", "friction")
+"""Of the ledger; each has behind it in the head what rounding left over."""
+
 HEAD = (
     "time",
     "kinetic_start", "potential_start", "stored_start",
     "energy_reference",  # largest kinetic energy, or change of potential energy, so far
-    "work", "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual",
-    "residual_low",  # accounts of the ledger, with what rounding left over
-    "impact", "impact_low", "friction", "friction_low",  # likewise, what contacts take
+    *(f"{account}{part}" for account in ACCOUNTS for part in ("", "_low")),
     "mean_time", "mean_time_before",
     "known", "halves", "half_1", "half_2", "half_3", "half_4",  # see predict.h
     "wanted",  # length that a tolerance asks for
@@ -413,11 +414,35 @@ explicitly, by Taylor's series, or with contacts that change without being locat
 MESH_ENDS = ("length", "event", "stop")
 """What ended it: its length, an event of contacts, a slip in space that stops."""
 
-STATE = {
-    "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over
-    "v": "n", "v_low": "n",  # velocities [m/s], likewise
+MOTION = {
+    "q": "n",  # coordinates [m]
+    "v": "n",  # velocities [m/s]
+}
+"""What time integrates: copied, weighted and added up as one, see motion.h."""
+MODES = {
+    "contacts": f"{len(CONTACT)} * n_contacts",  # `CONTACT` of each
+    "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
+}
+"""What contacts change."""
+FOLLOWING = {
     "imbalance": "n", "imbalance_before": "n",  # what Newton's iteration left of the momentum
     # balance in the last half step and in the one before it [kg m/s]
+    "turns": "n_quantities",  # full turns of angles so far
+    "sine": "n_quantities",  # of the angles, times a factor
+    "signal": "n_signals",  # prescribed values at the present time
+    "quaternion": "4 * n_oriented",  # w, x, y, z; of continuous sign
+    "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
+    **MODES,
+}
+"""What follows the motion, and goes back with it to the start of a step."""
+GROUPS = {"motion": MOTION, "modes": MODES, "following": FOLLOWING}
+"""Vectors of a state that lie side by side in this order; `n_...` is the length of each group."""
+COUNTS |= {f"n_{group}": " + ".join(vectors.values()) for group, vectors in GROUPS.items()}
+
+STATE = {
+    **MOTION,
+    **{f"{name}_low": length for name, length in MOTION.items()},  # what rounding left over
+    **FOLLOWING,
     "start": "n",  # coordinates at the start, which energies are measured from
     "a_first": "n", "a_second": "n",  # last 2 (d - h v)/h^2 of either half of a pair
     "a_before_first": "n", "a_before_second": "n",  # those before, likewise
@@ -432,14 +457,7 @@ STATE = {
     "shift": "n_rows * unilateral",  # of multipliers, where what sticks shares its forces
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
-    "turns": "n_quantities",  # full turns of angles so far
-    "sine": "n_quantities",  # of the angles, times a factor
-    "signal": "n_signals",  # prescribed values at the present time
-    "quaternion": "4 * n_oriented",  # w, x, y, z; of continuous sign
-    "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
     "freedom": "n_moving",  # whether rows and drivers left a node to move by itself at the start
-    "contacts": f"{len(CONTACT)} * n_contacts",  # `CONTACT` of each
-    "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
     "side": "n_switches",  # of each switch
     "inputs": "n_inputs",  # last given

@@ -10,14 +10,22 @@ from importlib import import_module
 import pytest
 
 from benchmarks import __main__ as command
-from benchmarks import instructions, kernel_run, skips
-from benchmarks.effort import QUICK, TINY, Effort
-from benchmarks.mechanisms import four_bar, free_system, hanging_chain, scene, start, waving_chain
-from benchmarks.observe import Observer
-from benchmarks.report import Goal, Section, as_json, as_markdown, merged
-from benchmarks.timing import Entry, interleave
+from benchmarks.measuring import kernel_run
+from benchmarks.measuring.effort import QUICK, TINY, Effort
+from benchmarks.measuring.observe import Observer
+from benchmarks.measuring.timing import Entry, interleave
+from benchmarks.pages.report import Goal, Section, as_json, as_markdown, merged
+from benchmarks.problems.mechanisms import (
+    four_bar,
+    free_system,
+    hanging_chain,
+    scene,
+    start,
+    waving_chain,
+)
+from benchmarks.sections import instructions, skips
 from solver import assemble
-from tests.kernels_without_skips import kernel_without
+from tests.support.kernel.kernels_without_skips import kernel_without
 
 MACHINE = {"processor": "some", "cores": "1"}
 

@@ -8,9 +8,9 @@ import sys
 import numpy as np
 import pytest
 
-from benchmarks import by_hand
-from benchmarks.instructions import HANDWRITTEN, STEP, mechanisms
-from benchmarks.mechanisms import start
+from benchmarks.measuring import by_hand
+from benchmarks.problems.mechanisms import start
+from benchmarks.sections.instructions import HANDWRITTEN, STEP, mechanisms
 from build_kernel.compiler import system_compiler, zig_compiler
 
 STEPS = 200
@@ -59,7 +59,16 @@ def test_what_valgrind_watches_takes_the_steps_it_says(tmp_path):
     drawn = start(mechanisms()[name][0], step_size=STEP)
     block.write_bytes(by_hand.block_of(drawn, *numbers).tobytes())
     library = by_hand.build(function, tmp_path)
-    command = [sys.executable, "-m", "benchmarks.by_hand", library, function, block, STEP, 7]
+    command = [
+        sys.executable,
+        "-m",
+        "benchmarks.measuring.by_hand",
+        library,
+        function,
+        block,
+        STEP,
+        7,
+    ]
     run = subprocess.run(
         [str(part) for part in command], capture_output=True, text=True, check=False
     )

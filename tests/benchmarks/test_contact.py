@@ -10,7 +10,7 @@ import pytest
 
 from benchmarks.contact import methods, scenes, scipy_events, section
 from benchmarks.contact.problems import CRANK, PROBLEMS, damping_ratio, score, touches
-from tests.scene_files import TOUCHING
+from tests.support.mechanisms.scene_files import TOUCHING
 
 SHARP = {"method": "DOP853", "tolerance": 1e-12}
 

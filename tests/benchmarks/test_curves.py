@@ -8,16 +8,18 @@ import math
 import numpy as np
 import pytest
 
-from benchmarks import peer_processes, picture, work_precision_goals
-from benchmarks.effort import TINY
-from benchmarks.peer_interpreter import Packages
-from benchmarks.peer_methods import PATIENCE, GaveUpError, Limits, Method, Observed, measured
-from benchmarks.problems import PROBLEMS
-from benchmarks.report import Section, Table, as_json, as_markdown
-from benchmarks.timing import Entry
-from benchmarks.work_precision import judged
-from benchmarks.work_precision_goals import time_to_reach
-from benchmarks.work_precision_references import Reference
+from benchmarks.measuring.effort import TINY
+from benchmarks.measuring.timing import Entry
+from benchmarks.pages import picture
+from benchmarks.pages.report import Section, Table, as_json, as_markdown
+from benchmarks.peers import peer_processes
+from benchmarks.peers.peer_interpreter import Packages
+from benchmarks.peers.peer_methods import PATIENCE, GaveUpError, Limits, Method, Observed, measured
+from benchmarks.problems.catalogue import PROBLEMS
+from benchmarks.problems.work_precision_references import Reference
+from benchmarks.sections import work_precision_goals
+from benchmarks.sections.work_precision import judged
+from benchmarks.sections.work_precision_goals import time_to_reach
 
 EVERYTHING = Limits(run=math.inf, settings=99, repetitions=1, budget=0.0)
 

@@ -12,8 +12,8 @@ import pytest
 from benchmarks.contact_laws import by_holonom, judge, section, textbook
 from benchmarks.contact_laws.experiments import IMPACTS, Impact, cases, slid
 from benchmarks.contact_laws.method import Answers, answers
-from benchmarks.peer_interpreter import answer
-from benchmarks.report import Value
+from benchmarks.pages.report import Value
+from benchmarks.peers.peer_interpreter import answer
 
 READ = 2e-9
 """Round-off of rows over the 10 us after which velocities are read, and their curvature in it."""
@@ -178,7 +178,7 @@ def test_another_code_lets_a_ball_of_the_cradle_hit_and_keeps_its_momentum(modul
     _, package, variable = section.PEERS[module]
     if section.packages_there([package], variable).absence(package):
         pytest.skip(f"no {package}")
-    program = ["-m", "benchmarks.peer_run", "benchmarks.contact_laws.method"]
+    program = ["-m", "benchmarks.peers.peer_run", "benchmarks.contact_laws.method"]
     request = {"module": module, "keys": ["cradle3"]}
     rows = [judge.figures(row) for row in answer(program, request, variable=variable)]
     answered = [row for row in rows if row["answered"] != "0 of 50"]  # Drake's discrete has no e

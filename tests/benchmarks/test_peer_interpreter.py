@@ -10,13 +10,19 @@ import sys
 
 import pytest
 
-from benchmarks import exudyn_peer, peer_processes, stability_peers
-from benchmarks.effort import TINY
-from benchmarks.peer_interpreter import VARIABLE, InterpreterError, Packages, answer, packages_there
-from benchmarks.peer_methods import Limits
-from benchmarks.problems import PROBLEMS
-from benchmarks.stability_cases import chain
-from benchmarks.stability_runs import prepare
+from benchmarks.measuring.effort import TINY
+from benchmarks.peers import exudyn_peer, peer_processes, stability_peers
+from benchmarks.peers.peer_interpreter import (
+    VARIABLE,
+    InterpreterError,
+    Packages,
+    answer,
+    packages_there,
+)
+from benchmarks.peers.peer_methods import Limits
+from benchmarks.problems.catalogue import PROBLEMS
+from benchmarks.problems.stability_cases import chain
+from benchmarks.sections.stability_runs import prepare
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="interpreters here are scripts")
 

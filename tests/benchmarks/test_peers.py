@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 import solver
-from benchmarks import exudyn_peer
-from benchmarks.effort import TINY
-from tests.peer_models import RUNS, extrapolated, load
+from benchmarks.measuring.effort import TINY
+from benchmarks.peers import exudyn_peer
+from tests.recorded.peer_models import RUNS, extrapolated, load
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 ROUNDING = 1e-11
@@ -147,8 +147,8 @@ def test_the_other_code_is_timed_in_a_process_of_its_own():
 
 def test_planar_models_of_the_other_code_move_as_their_references():
     pytest.importorskip("exudyn")
-    from benchmarks.exudyn_problem import Build
-    from benchmarks.problems import andrews, four_bar
+    from benchmarks.peers.exudyn_problem import Build
+    from benchmarks.problems.catalogue import andrews, four_bar
 
     ends = []
     for problem, step, stop in ((andrews(), 1e-5, 0.03), (four_bar(2), 1e-3, 1.0)):

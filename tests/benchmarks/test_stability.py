@@ -9,10 +9,11 @@ from importlib import import_module
 import pytest
 
 import solver
-from benchmarks import stability, stability_peer, stability_peers, stability_picture
-from benchmarks.report import Section, Table
-from benchmarks.stability_cases import STIFFNESSES, Case, chain, maps
-from benchmarks.stability_rules import (
+from benchmarks.pages.report import Section, Table
+from benchmarks.peers import stability_peer, stability_peers
+from benchmarks.problems.stability_cases import STIFFNESSES, Case, chain, maps
+from benchmarks.sections import stability, stability_picture
+from benchmarks.sections.stability_rules import (
     LOOKS,
     LOOSE,
     TIGHT,
@@ -22,7 +23,7 @@ from benchmarks.stability_rules import (
     steps,
     stride,
 )
-from benchmarks.stability_runs import prepare, run, run_by_paper
+from benchmarks.sections.stability_runs import prepare, run, run_by_paper
 
 CASES = {f"{case.name} {case.stiffness or ''}".strip(): case for case in maps()}
 

@@ -9,15 +9,16 @@ from importlib import import_module
 import numpy as np
 import pytest
 
-from benchmarks import exact, work_precision_ours
-from benchmarks.mechanisms import scene, start_scene
-from benchmarks.peer_methods import distance
-from benchmarks.peer_reduced import reduced, unwritten
-from benchmarks.peers import PEERS, compiled_path, equations
-from benchmarks.problems import PROBLEMS
-from benchmarks.problems_parts import GROUND, energies
-from benchmarks.work_precision_references import reference
-from tests.peer_models import load
+from benchmarks.peers.peer_methods import distance
+from benchmarks.peers.peer_reduced import reduced, unwritten
+from benchmarks.peers.peer_scipy import PEERS, compiled_path, equations
+from benchmarks.problems import exact
+from benchmarks.problems.catalogue import PROBLEMS
+from benchmarks.problems.mechanisms import scene, start_scene
+from benchmarks.problems.parts import GROUND, energies
+from benchmarks.problems.work_precision_references import reference
+from benchmarks.sections import work_precision_ours
+from tests.recorded.peer_models import load
 
 SHORT = 0.5
 """End of short runs, as a part of the problem's."""
@@ -226,7 +227,7 @@ def test_peers_on_reduced_equations_reach_the_reference(key, peer):
 )
 def test_a_model_of_another_code_moves_as_the_reference(key, part):
     pytest.importorskip("exudyn")
-    from benchmarks.peer_exudyn import METHODS
+    from benchmarks.peers.peer_exudyn import METHODS
 
     problem = replace(problem_of(key), stop=part * problem_of(key).stop)
     right = reference(problem)

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.contact_laws import HAS_COMPILER, RETREATED, Laws
-from tests.exact_contacts import impact_by_routh
-from tests.problems import Array
+from tests.support.contact.contact_laws import HAS_COMPILER, RETREATED, Laws
+from tests.support.contact.exact_contacts import impact_by_routh
+from tests.support.mechanisms.problems import Array
 
 VALUES = Path(__file__).with_name("impact_values.json")
 ROUND_OFF = 1e-14

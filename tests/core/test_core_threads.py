@@ -26,7 +26,10 @@ def test_threads_on_one_model_end_with_the_same_bits(tmp_path):
     file, program = tmp_path / "model.bin", tmp_path / "threads"
     file.write_bytes(model.file)
     flags = ["-std=gnu99", "-O0", "-g", "-fsanitize=thread", f"-DDIM={model.sizes['dim']}"]
-    sources = [str(HERE / "core_threads.c"), *map(str, kernel_sources(KERNEL))]
+    sources = [
+        str(HERE / "support" / "kernel" / "core_threads.c"),
+        *map(str, kernel_sources(KERNEL)),
+    ]
     command = ["gcc", *flags, *includes(KERNEL), *sources, "-o", str(program), "-lm", "-lpthread"]
     subprocess.run(command, check=True)
     numbers = len(model.variables), model.experiment.step_size

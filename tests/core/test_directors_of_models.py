@@ -10,7 +10,7 @@ import pytest
 import solver
 from solver.runtime.errors import OptionError
 from solver.runtime.kernel import shared_library
-from tests.fmu_instance import SCENES
+from tests.support.fmus.fmu_instance import SCENES
 
 
 def damaged(name: str, table: dict[str, array]) -> Iterator[dict[str, array]]:

@@ -18,7 +18,15 @@ import pytest
 from mpmath import asin, atan, chebyfit, log, mp, mpf, pi, sqrt
 
 from build_kernel.compiler import includes, system_compiler, zig_compiler
-from tests.elementary_errors import KERNEL, ONE, SOURCES, TWO, argument, core, largest_error
+from tests.support.kernel.elementary_errors import (
+    KERNEL,
+    ONE,
+    SOURCES,
+    TWO,
+    argument,
+    core,
+    largest_error,
+)
 
 CASES = 1500
 BITS_CASES = 100_000
@@ -105,7 +113,7 @@ def test_the_bits_are_the_same_from_each_compiler_and_on_each_machine(compiler, 
         if not shutil.which("qemu-aarch64"):
             pytest.skip("qemu-aarch64 is not installed")
         run, flags = ["qemu-aarch64"], flags.removesuffix(NATIVE) + " -static"
-    files = [*SOURCES, str(Path(__file__).parents[1].joinpath("elementary_bits.c"))]
+    files = [*SOURCES, str(Path(__file__).parents[1].joinpath("support/kernel/elementary_bits.c"))]
     target = str(tmp_path / "bits")
     subprocess.run(
         [*command, *flags.split(), *includes(KERNEL), *files, "-o", target, "-lm"], check=True

@@ -8,7 +8,7 @@ import pytest
 
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 from tests.hostile.archives import SCENE
-from tests.twins import PENDULUM, model_of, start
+from tests.support.kernel.twins import PENDULUM, model_of, start
 
 
 def test_a_name_that_does_not_exist_is_answered_with_the_nearest_one():

@@ -17,8 +17,8 @@ from solver.mechanics.assembly import assemble
 from solver.runtime import AssemblyError, Integrator, Status, StepError
 from solver.scene import loads
 from tests.core.test_kernel_status import BALL
-from tests.fmu_instance import pendulum
-from tests.twins import PENDULUM, start
+from tests.support.fmus.fmu_instance import pendulum
+from tests.support.kernel.twins import PENDULUM, start
 
 LONG = 9e2
 """[s], in steps of 1e-6 s: an hour of work."""

@@ -12,14 +12,12 @@ from hypothesis import settings as trials
 
 import solver
 from solver.mechanics.mobility import survey
-from tests.joint_scenes import PAIRS, pair
-from tests.kernel_calls import kernel_of
-from tests.kernel_cases import PROFILES, SOURCES, ZOO, is_plain
 from tests.oracle import Mechanism
 from tests.oracle import internal_step as step_of_the_oracle
 from tests.oracle.start import consistent_velocities, first_multipliers, scales
-from tests.random_mechanisms import driven_systems
-from tests.twins import (
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.kernel_cases import PROFILES, SOURCES, ZOO, is_plain
+from tests.support.kernel.twins import (
     EVERYTHING,
     PENDULUM,
     advance,
@@ -28,6 +26,8 @@ from tests.twins import (
     start,
     vector,
 )
+from tests.support.mechanisms.joint_scenes import PAIRS, pair
+from tests.support.mechanisms.random_mechanisms import driven_systems
 
 ALL = SOURCES | ZOO | PROFILES
 UNDRIVEN = [name for name, source in SOURCES.items() if not model_of(source).sizes["n_signals"]]

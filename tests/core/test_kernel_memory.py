@@ -7,9 +7,8 @@ import pytest
 
 from solver.runtime import Integrator
 from solver.runtime.layout import measured_sections
-from tests.kernel_calls import kernel_of
-from tests.scene_files import ALL, TOUCHING
-from tests.twins import (
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.twins import (
     EVERYTHING,
     advance,
     internal_step,
@@ -17,6 +16,7 @@ from tests.twins import (
     numbers,
     start,
 )
+from tests.support.mechanisms.scene_files import ALL, TOUCHING
 
 SOURCES = {path.stem: path for path in ALL}
 SOURCES |= {f"everything in {dim}-D": text for dim, text in EVERYTHING.items()}

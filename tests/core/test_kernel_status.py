@@ -10,8 +10,16 @@ import pytest
 from solver.runtime import AssemblyError, Integrator, OptionError, Status, StepError
 from solver.runtime.layout import PLACE
 from solver.scene import SceneError
-from tests.kernel_calls import kernel_of
-from tests.twins import PENDULUM, advance, block, internal_step, model_of, start, vector
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.twins import (
+    PENDULUM,
+    advance,
+    block,
+    internal_step,
+    model_of,
+    start,
+    vector,
+)
 
 SPRUNG = """
 name = "sprung"

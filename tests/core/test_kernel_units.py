@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.twins import advance, start, vector
+from tests.support.kernel.twins import advance, start, vector
 
 
 def mechanism(dim, length, mass, time):

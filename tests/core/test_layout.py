@@ -16,7 +16,7 @@ from solver.options import OPTIONS
 from solver.runtime import Integrator, kernel
 from solver.runtime.layout import ABI, CONTACT_MODES, HEAD, SIZES
 from solver.scene.quantities import CONTACT
-from tests.twins import PENDULUM, model_of
+from tests.support.kernel.twins import PENDULUM, model_of
 
 SOLVER = Path(__file__).parents[2] / "solver"
 
@@ -30,9 +30,23 @@ def test_a_field_has_its_length_and_its_comment_in_c():
     text = headers(SOLVER)["model_tables.h"]
     assert "\n    int32_t n_free; /* moving nodes that are unknown */\n" in text
     assert "\n    const int32_t *row_form; /* n_form_rows */\n" in text
-    assert "\n    double *q; /* n: coordinates [m], and what rounding left over */\n" in text
+    assert "\n    double *q; /* n: coordinates [m] */\n" in text
     assert "\n    S_HALVES, /* see predict.h */\n" in text
     assert "\n    HOLONOM_BAD_STEP = 6, /* step length is not a finite positive number */\n" in text
+
+
+def test_one_line_of_the_layout_lets_time_integrate_another_vector(tmp_path):
+    for name in ("options.py", "runtime/layout.py", "runtime/errors.py", "kernel/scratch.py"):
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        text = (SOLVER / name).read_text("utf-8")
+        path.write_text(text.replace("MOTION = {\n", 'MOTION = {\n    "z": "n_inputs",  # [1]\n'))
+    made = headers(tmp_path)
+    assert "    double *z; /* n_inputs: [1] */\n" in made["model_tables.h"]
+    assert "    double *z_low; /* n_inputs */\n" in made["model_tables.h"]
+    order = re.findall(r"x->(\w+) = take", made["section_tables.h"])
+    assert order[:7] == ["head", "z", "q", "v", "z_low", "q_low", "v_low"]
+    assert "n_motion = (int64_t)m->n_inputs + n + n;" in made["section_tables.h"]
 
 
 def test_names_of_one_line_share_its_comment_and_a_comment_goes_on_below(tmp_path):

@@ -10,7 +10,7 @@ import pytest
 import solver
 from solver.runtime import Integrator, Model
 from solver.runtime.layout import ISLAND
-from tests.problems import chain, double_pendulum
+from tests.support.mechanisms.problems import chain, double_pendulum
 
 FALLBACK = 64
 """Steps for which full factors are used after lean ones contracted badly for the first time."""

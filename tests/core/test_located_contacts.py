@@ -18,16 +18,16 @@ import solver
 from solver.options import step_of
 from solver.runtime import Integrator
 from solver.runtime.layout import CONTACT, FRICTION, measured_sections
-from tests.contact_scenes import painleve_rod, rocking_block
-from tests.kernel_calls import kernel_of
 from tests.oracle import Mechanism
 from tests.oracle.contacts import State
 from tests.oracle.events import Located
 from tests.oracle.start import consistent_velocities, rows_of
-from tests.problems import assemble, mechanism
-from tests.random_contacts import Content, RandomContacts
-from tests.scene_files import SCENES
-from tests.twins import numbers
+from tests.support.contact.contact_scenes import painleve_rod, rocking_block
+from tests.support.contact.random_contacts import Content, RandomContacts
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.twins import numbers
+from tests.support.mechanisms.problems import assemble, mechanism
+from tests.support.mechanisms.scene_files import SCENES
 
 NEAR = 1e-9
 """Of size, speed and energy: steps are solved to 1e-11, and impacts multiply what differs."""

@@ -9,7 +9,7 @@ import pytest
 import solver
 from solver.runtime import Integrator
 from solver.runtime.layout import measured_sections, measured_size
-from tests.mechanism_runs import scene
+from tests.support.mechanisms.mechanism_runs import scene
 
 SCENES = ("flyball_governor", "stewart", "bricard", "bouncing_ball", "car_axis", "snakeboard")
 

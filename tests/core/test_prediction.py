@@ -10,8 +10,8 @@ import pytest
 import solver
 from solver.mechanics.assembly import SLOTS
 from solver.runtime import Integrator
-from tests.problems import assemble, double_pendulum
-from tests.twins import block, vector
+from tests.support.kernel.twins import block, vector
+from tests.support.mechanisms.problems import assemble, double_pendulum
 
 SWING = double_pendulum(math.pi / 6)
 PUSHED = """

@@ -10,7 +10,6 @@ import subprocess
 import fmpy
 import pytest
 
-from tests.fmu_instance import pendulum
 from tests.hostile import native
 from tests.sanitize import (
     OPTIONS,
@@ -20,6 +19,7 @@ from tests.sanitize import (
     run_in,
     sanitized_library,
 )
+from tests.support.fmus.fmu_instance import pendulum
 
 pytestmark = pytest.mark.skipif(not can_sanitize(), reason="gcc has no sanitizers here")
 

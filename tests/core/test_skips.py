@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks import skips
-from benchmarks.effort import TINY
+from benchmarks.measuring.effort import TINY
+from benchmarks.sections import skips
 from build_kernel.compiler import CompilerError
 from solver.options import step_of
 from solver.runtime.kernel import load_library
-from tests.kernels_without_skips import kernel_without, needs_compiler
+from tests.support.kernel.kernels_without_skips import kernel_without, needs_compiler
 
 ROOT = Path(__file__).resolve().parents[2]
 STEPS = 100

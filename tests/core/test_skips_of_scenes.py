@@ -12,13 +12,13 @@ from hypothesis import HealthCheck, given
 from hypothesis import settings as trials
 
 import solver
-from benchmarks.skips import ALL, SKIPS
+from benchmarks.sections.skips import ALL, SKIPS
 from solver.options import USUAL_STEP
 from solver.runtime import Integrator, Model
-from tests.kernel_cases import SOURCES, ZOO
-from tests.kernels_without_skips import counted, integrator_without, needs_compiler
-from tests.random_mechanisms import driven_systems, free_systems
-from tests.twins import Array, model_of
+from tests.support.kernel.kernel_cases import SOURCES, ZOO
+from tests.support.kernel.kernels_without_skips import counted, integrator_without, needs_compiler
+from tests.support.kernel.twins import Array, model_of
+from tests.support.mechanisms.random_mechanisms import driven_systems, free_systems
 
 SCENES = SOURCES | ZOO
 STEPS = {2: 100, 4: 40, 8: 15}

@@ -20,10 +20,10 @@ from build_kernel.compiler import SOURCES, flags, includes, system_compiler
 from solver.mechanics.tape import CODE
 from solver.runtime import OptionError
 from solver.runtime.kernel import shared_library
-from tests.kernel_cases import PROFILES
 from tests.oracle import splines
 from tests.scene.test_profiles import WORDS, size_of, tables
-from tests.twins import model_of
+from tests.support.kernel.kernel_cases import PROFILES
+from tests.support.kernel.twins import model_of
 
 _FOLDER = TemporaryDirectory(prefix="splines-", ignore_cleanup_errors=True)
 COMPILER = system_compiler()

@@ -7,12 +7,12 @@ from array import array
 import numpy as np
 import pytest
 
-from tests.kernel_calls import kernel_of
-from tests.kernel_cases import SOURCES, ZOO
 from tests.oracle import Mechanism
 from tests.oracle.start import first_multipliers, rows_of
 from tests.oracle.step import rows_now
-from tests.twins import Array, model_of, start, vector
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.kernel_cases import SOURCES, ZOO
+from tests.support.kernel.twins import Array, model_of, start, vector
 
 ALL = SOURCES | ZOO
 

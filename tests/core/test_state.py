@@ -11,9 +11,9 @@ import pytest
 
 from solver.runtime import Integrator, OptionError, StepError
 from solver.runtime.layout import ISLAND, PLACE, state_sections
-from tests.kernels_without_skips import counted, integrator_without, needs_compiler
-from tests.saved_states import NUMBERS_AT, PHASE_AT, signed
-from tests.twins import PENDULUM, advance, block, model_of, start
+from tests.support.kernel.kernels_without_skips import counted, integrator_without, needs_compiler
+from tests.support.kernel.saved_states import NUMBERS_AT, PHASE_AT, signed
+from tests.support.kernel.twins import PENDULUM, advance, block, model_of, start
 
 SCENES = Path(__file__).parents[2] / "scenes"
 ENDLESS = ("mean_time", "mean_time_before", "wanted")

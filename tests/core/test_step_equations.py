@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.twins import PENDULUM, internal_step, start, vector
+from tests.support.kernel.twins import PENDULUM, internal_step, start, vector
 
 M, L, G = 2.0, 1.0, np.array([0.0, -9.81])
 

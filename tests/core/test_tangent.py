@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from solver.runtime.layout import ISLAND
-from tests.kernel_calls import kernel_of
-from tests.kernel_cases import SOURCES, ZOO
 from tests.oracle import Mechanism, Residual
-from tests.twins import EVERYTHING, advance, model_of, numbers, start, vector
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.kernel_cases import SOURCES, ZOO
+from tests.support.kernel.twins import EVERYTHING, advance, model_of, numbers, start, vector
 
 ALL = SOURCES | ZOO
 

@@ -9,7 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solver.mechanics.tape import CODES, Segment, Tape
+from solver.mechanics.mechanism import Leaf
+from solver.mechanics.tape import CODES, Numbers, Segment, Tape
+from solver.runtime.layout import LEAF_RATE, LEAF_VALUE, OFFSETS
 from solver.scene.expression import (
     OPERATIONS,
     Curve,
@@ -22,8 +24,8 @@ from solver.scene.expression import (
     symbol,
 )
 from solver.scene.profiles import table_of
-from tests.kernel_calls import Kernel
-from tests.twins import PENDULUM, model_of, start
+from tests.support.kernel.kernel_calls import Kernel
+from tests.support.kernel.twins import PENDULUM, model_of, start
 
 NAMES = ("a", "b", "c")
 
@@ -254,3 +256,26 @@ swing = { value = "A.x*sin(t)" }
     run = start(text)
     run.advance(0.0, 0.1)
     assert run["swing"] == run["A.x"] * math.sin(run.time)
+
+
+def _slips_of(*coordinates):
+    """Operations of two slips with a grid at these coordinates: leaves are x, y, z and a rate."""
+    leaves = [Leaf(LEAF_VALUE, k) for k in range(3)] + [Leaf(LEAF_RATE, 0)]
+    height = operate("grid", *(symbol(f"#{k}") for k in coordinates), GRID)
+    rate = symbol("#3")
+    numbers = Numbers(dict.fromkeys(OFFSETS, ()), [], {}.__getitem__)
+    return numbers.slips([height * rate, (height + 1.0) * rate], leaves)
+
+
+def test_slips_share_a_grid_of_places_whose_coordinates_stand_one_behind_the_other():
+    for slip in _slips_of(2, 0, 1):
+        assert [x[0] for x in slip.each[:4]] == [CODES.index("copy")] * 3 + [CODES.index("grid")]
+        assert slip.each[3][1] == 4  # the first of its coordinates, behind the leaves
+        assert slip.still >= 4
+
+
+@pytest.mark.parametrize("coordinates", [(3, 0, 1), (0, 3, 1), (0, 1, 3)])
+def test_no_slip_has_a_grid_of_rates(coordinates):
+    """Its coordinates would not be still, and be sorted behind others."""
+    with pytest.raises(AssertionError, match="grid of rates"):
+        _slips_of(*coordinates)

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import solver
-from tests.exact_motions import double_pendulum_motion
-from tests.mechanism_runs import run
-from tests.problems import double_pendulum, observed_order
-from tests.problems import scene as scene_of
+from tests.support.mechanisms.exact_motions import double_pendulum_motion
+from tests.support.mechanisms.mechanism_runs import run
+from tests.support.mechanisms.problems import double_pendulum, observed_order
+from tests.support.mechanisms.problems import scene as scene_of
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "theory" / "orders.md"
 ROW = re.compile(r"\| ([2468]) \| (\d+) \| (\S+) \| (\S+) \|")

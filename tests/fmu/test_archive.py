@@ -26,7 +26,7 @@ from build_fmu.run import run_fmu
 from fmu_src.log import CATEGORIES, Fmi2Slave
 from fmu_src.status import LOG_CATEGORIES
 from solver.runtime.model_file import HEADER
-from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
+from tests.support.fmus.fmu_instance import SCENES, instance, pendulum, scene_fmu
 
 BARE_HOST = Path(__file__).parents[1].joinpath("bare_host.py")
 

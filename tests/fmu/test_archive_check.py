@@ -16,8 +16,8 @@ from build_fmu import archive_check
 from build_fmu.errors import UsageError
 from build_fmu.instance import description_of
 from build_fmu.run import run_fmu
-from tests.commands import run
-from tests.fmu_instance import packed, pendulum
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import packed, pendulum
 
 ROOT = Path(__file__).parents[2]
 SLAVE = "resources/slavemodule.txt"

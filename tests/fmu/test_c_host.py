@@ -16,7 +16,7 @@ import fmpy
 import pytest
 
 from build_kernel.compiler import system_compiler, zig_compiler
-from tests.fmu_instance import instance, pendulum, scene_fmu, text_fmu
+from tests.support.fmus.fmu_instance import instance, pendulum, scene_fmu, text_fmu
 
 SOURCES = Path(__file__).parents[1].joinpath("c_host")
 H, STEPS = 0.01, 50

@@ -12,8 +12,8 @@ import pytest
 import solver
 from build_kernel.compiler import SLAVE_SOURCES
 from tests.fmu.test_state_machine import ERROR, SCENE, stepped
-from tests.fmu_instance import Instance, instance
-from tests.native_fmus import native_fmu
+from tests.support.fmus.fmu_instance import Instance, instance
+from tests.support.fmus.native_fmus import native_fmu
 
 HEADER = (Path(__file__).parents[2] / SLAVE_SOURCES / "fmi3.h").read_text("utf-8")
 NAMES = re.findall(r"X\((fmi3\w+)\)", HEADER)

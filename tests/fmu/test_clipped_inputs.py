@@ -10,7 +10,7 @@ import pytest
 
 import solver
 from build_fmu.run import run_fmu
-from tests.fmu_instance import instance, text_fmu
+from tests.support.fmus.fmu_instance import instance, text_fmu
 
 SCENE = """
 name = "clipped"

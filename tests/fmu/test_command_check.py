@@ -14,10 +14,10 @@ from build_fmu import build
 from build_fmu.accuracy import Comparison, of_a_tolerance, of_equal_steps
 from build_fmu.finer_run import accuracy
 from build_fmu.run import run_fmu
-from tests.commands import run
-from tests.exact_motions import double_pendulum_motion, pendulum_angle
-from tests.fmu_instance import scene_fmu, text_fmu
-from tests.reduced_models import heavy_top, matrix_of, rotation
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import scene_fmu, text_fmu
+from tests.support.mechanisms.exact_motions import double_pendulum_motion, pendulum_angle
+from tests.support.mechanisms.reduced_models import heavy_top, matrix_of, rotation
 
 PENDULUM = """
 name = "swing"

@@ -10,9 +10,9 @@ import pytest
 import solver
 from build_fmu.commands.info import FORCES
 from solver.scene.scene import TYPES
-from tests.commands import run
 from tests.fmu.test_archive import repack
-from tests.fmu_instance import SCENES, scene_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
 
 DOUBLE_ROD = """
 name = "double_rod"

@@ -17,8 +17,8 @@ from build_fmu.instance import check_unpack_folder
 from build_fmu.report import progress_bar
 from build_fmu.run import run_fmu
 from examples import demo
-from tests.commands import run
-from tests.fmu_instance import SCENES, scene_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
 
 ROOT = SCENES.parent
 PENDULUM = str(SCENES / "double_pendulum.toml")

@@ -12,8 +12,8 @@ import solver
 from build_fmu import build
 from build_fmu.errors import UsageError
 from build_fmu.run import run_fmu
-from tests.commands import run
-from tests.fmu_instance import SCENES, scene_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
 
 PENDULUM = str(SCENES / "double_pendulum.toml")
 

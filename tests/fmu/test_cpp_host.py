@@ -14,8 +14,8 @@ import pytest
 import solver
 from build_fmu import build
 from build_kernel.compiler import SLAVE_SOURCES, SOURCES, Kind, compile_library
-from tests.fmu_instance import PENDULUM
 from tests.sanitize import has_thread_sanitizer
+from tests.support.fmus.fmu_instance import PENDULUM
 
 ROOT = Path(__file__).parents[2]
 HOST = ROOT / "tests" / "c_host" / "threads.cpp"

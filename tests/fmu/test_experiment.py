@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.fmu_instance import Instance, instance, pendulum
+from tests.support.fmus.fmu_instance import Instance, instance, pendulum
 
 CHOSEN = {"step_size": 0.0, "order": 0.0, "tolerance": 0.0}
 """Settings of which none is given."""

@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path
 
 from build_fmu.payload import wrapper_libraries
-from tests.fmu_instance import pendulum
+from tests.support.fmus.fmu_instance import pendulum
 
 ROOT = Path(__file__).parents[2]
 NEWEST_GCC = {"3.4.29": "11", "3.4.30": "12", "3.4.31": "13", "3.4.32": "13", "3.4.33": "14"}

@@ -13,8 +13,8 @@ import pytest
 import solver
 from build_fmu.instance import Log
 from solver.runtime import Integrator, Model, OptionError
-from tests.fmu_instance import SCENES, instance, packed
-from tests.native_fmus import native_scene_fmu, slave_of_fmi3
+from tests.support.fmus.fmu_instance import SCENES, instance, packed
+from tests.support.fmus.native_fmus import native_scene_fmu, slave_of_fmi3
 
 FOLDER = Path(__file__).parents[1] / "recorded" / "of_before"
 

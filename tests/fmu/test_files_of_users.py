@@ -15,8 +15,8 @@ import pytest
 
 import holonom
 from solver.files import is_reserved, read_whole, written_whole
-from tests.commands import run
-from tests.fmu_instance import SCENES, scene_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="no such files")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.fmu_instance import instance, pendulum, scene_fmu
+from tests.support.fmus.fmu_instance import instance, pendulum, scene_fmu
 
 # ------------------------------------------------------------------------- values take effect
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.contact_scenes import (
+from tests.support.contact.contact_scenes import (
     ball,
     chain_over_a_floor,
     rod_that_falls,
@@ -16,8 +16,8 @@ from tests.contact_scenes import (
     slider_crank_with_clearance,
     toml_of,
 )
-from tests.fmu_instance import instance, text_fmu
-from tests.problems import GRAVITY, Content
+from tests.support.fmus.fmu_instance import instance, text_fmu
+from tests.support.mechanisms.problems import GRAVITY, Content
 
 HITS = [0.451523640985731, 1.1739614665629, 1.75191172702464]
 

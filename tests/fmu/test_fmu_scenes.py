@@ -16,10 +16,10 @@ import pytest
 import solver
 from fmu_src import status
 from solver.runtime import Integrator
-from tests.commands import run
 from tests.fmu.test_picture import pixels
-from tests.fmu_instance import SCENES, Instance, instance, scene_fmu
-from tests.scene_files import ALL
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, Instance, instance, scene_fmu
+from tests.support.mechanisms.scene_files import ALL
 from viewer.picture import HEIGHT, MARGIN, WIDTH
 
 STEPS = 12

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import run
-from tests.fmu_instance import SCENES, scene_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
 
 resource = pytest.importorskip("resource")
 

@@ -12,7 +12,7 @@ from fmpy.fmi1 import FMICallException
 
 from fmu_src import status
 from tests.fmu.test_state_machine import fmu_of
-from tests.fmu_instance import Instance, instance
+from tests.support.fmus.fmu_instance import Instance, instance
 
 OK, DISCARD, ERROR = 0, 2, 3
 STOP, H = 2.0, 0.1

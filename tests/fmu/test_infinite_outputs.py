@@ -9,8 +9,8 @@ import pytest
 
 from build_fmu.run import run_fmu
 from fmu_src import status
-from tests.commands import run
-from tests.fmu_instance import PENDULUM, Instance, instance, text_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import PENDULUM, Instance, instance, text_fmu
 
 TEXT = PENDULUM.format(length=1.0, mass=1.0, push="push").replace(
     "[experiment]", 'root = { value = "sqrt(0.05 - t)" }\n[experiment]'

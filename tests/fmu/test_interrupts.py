@@ -15,7 +15,7 @@ import pytest
 from build_fmu.payload import SLAVE_NAME, payload
 from fmu_src import status
 from fmu_src.slave import Slave
-from tests.fmu_instance import instance, of_pendulum, pendulum, slave_of, status_of
+from tests.support.fmus.fmu_instance import instance, of_pendulum, pendulum, slave_of, status_of
 
 SEQUENCE: dict[str, Callable[[Slave], object]] = {
     "setup_experiment": lambda slave: slave.setup_experiment(0.0, 1.0, 1e-6),

@@ -8,7 +8,7 @@ import pytest
 
 from build_fmu.instance import Log, interrupts_held, interrupts_taken
 from build_fmu.run import run_fmu
-from tests.fmu_instance import pendulum
+from tests.support.fmus.fmu_instance import pendulum
 
 
 @pytest.fixture(autouse=True)

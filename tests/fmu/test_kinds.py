@@ -9,8 +9,8 @@ import pytest
 from build_fmu import build
 from build_fmu.run import run_fmu
 from build_fmu.testing import assert_conserves, assert_follows
-from tests.commands import run
-from tests.fmu_instance import SCENES
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES
 
 KINDS = {"python": {}, "native 2": {"native": True}, "native 3": {"native": True, "fmi": 3}}
 SCENE = SCENES / "four_bar.toml"

@@ -17,7 +17,7 @@ import pytest
 from fmpy import fmi1
 
 from build_fmu.run import run_fmu
-from tests.fmu_instance import Instance, instance, pendulum, scene_fmu, stepping_slave
+from tests.support.fmus.fmu_instance import Instance, instance, pendulum, scene_fmu, stepping_slave
 
 BARE_HOST = Path(__file__).parents[1].joinpath("bare_host.py")
 STEPS, H = 20, 0.02

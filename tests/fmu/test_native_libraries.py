@@ -11,9 +11,9 @@ import solver
 from build_fmu.instance import Log
 from build_fmu.platforms import SCOPES, library_path, library_scope, own_platform
 from solver.runtime import Model
-from tests.commands import run
-from tests.fmu_instance import SCENES, instance
-from tests.native_fmus import native_fmu, native_scene_fmu, slave_of_fmi3
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, instance
+from tests.support.fmus.native_fmus import native_fmu, native_scene_fmu, slave_of_fmi3
 
 ROOT = Path(__file__).parents[2]
 STEPS = 20

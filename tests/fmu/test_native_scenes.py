@@ -8,8 +8,8 @@ from fmpy.validation import validate_fmu
 
 from build_fmu.fmu_runner import FmuRunner
 from tests.fmu.test_fmu_scenes import STEPS, follow, inputs_at, moved
-from tests.fmu_instance import instance
-from tests.native_fmus import native_scene_fmu
+from tests.support.fmus.fmu_instance import instance
+from tests.support.fmus.native_fmus import native_scene_fmu
 
 OF_EACH_KIND = ["double_wishbone", "jansen_with_clearance", "pendulum", "die_in_a_bowl"]
 """Ramped inputs, contacts, all types of variables; each of the four libraries."""

@@ -12,8 +12,8 @@ from pathlib import Path
 import fmpy
 import pytest
 
-from tests.fmu_instance import pendulum
-from tests.odd_calls import CALLS
+from tests.support.fmus.fmu_instance import pendulum
+from tests.support.fmus.odd_calls import CALLS
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="signals are those of Linux")
 ROOT = Path(__file__).parents[2]
@@ -46,7 +46,7 @@ def folder(tmp_path_factory) -> Path:
 
 
 def answer(call: str, folder: Path) -> str:
-    command = [sys.executable, "-m", "tests.odd_calls", call, str(folder)]
+    command = [sys.executable, "-m", "tests.support.fmus.odd_calls", call, str(folder)]
     run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     return run.stdout.strip() if run.returncode == 0 else ENDS
 

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 import solver
 from build_fmu.instance import Log
 from tests.fmu.test_fmu_scenes import ALL_SCENES
-from tests.fmu_instance import Instance, instance, text_fmu
-from tests.native_fmus import native_fmu, native_scene_fmu, slave_of_fmi3
 from tests.physics.test_smooth_inputs import ARM
-from tests.problems import assemble
-from tests.random_mechanisms import driven_systems, free_systems
+from tests.support.fmus.fmu_instance import Instance, instance, text_fmu
+from tests.support.fmus.native_fmus import native_fmu, native_scene_fmu, slave_of_fmi3
+from tests.support.mechanisms.problems import assemble
+from tests.support.mechanisms.random_mechanisms import driven_systems, free_systems
 
 ERROR = 3
 RATES = {

@@ -16,8 +16,8 @@ import solver
 from build_fmu import build
 from build_fmu.documentation import documentation, page
 from build_fmu.self_check import self_check
-from tests.fmu_instance import SCENES, scene_fmu
-from tests.scene_files import ALL
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
+from tests.support.mechanisms.scene_files import ALL
 from viewer.canvas import Canvas
 from viewer.drawing import AZIMUTH, ELEVATION, drawing
 from viewer.picture import HEIGHT, MARGIN, WIDTH, picture

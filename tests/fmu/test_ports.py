@@ -9,8 +9,8 @@ from fmpy.validation import validate_fmu
 from build_fmu import build
 from build_fmu.errors import UsageError
 from build_fmu.testing import assert_conserves
-from tests.commands import run
-from tests.fmu_instance import SCENES, instance
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, instance
 
 PORTS = {
     "fmu.outputs": ["B0.*", "crank0.angle"],

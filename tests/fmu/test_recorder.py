@@ -16,8 +16,8 @@ from build_fmu.fmpy_slaves import Recorder
 from build_fmu.fmu_runner import FmuRunner
 from build_fmu.instance import Log, instantiated
 from fmu_src.status import DISCARD, ERROR
-from tests.fmu_instance import PENDULUM, scene_fmu
-from tests.native_fmus import native_fmu, native_scene_fmu
+from tests.support.fmus.fmu_instance import PENDULUM, scene_fmu
+from tests.support.fmus.native_fmus import native_fmu, native_scene_fmu
 
 TIMES = np.arange(21) * 0.05
 

@@ -13,7 +13,7 @@ import fmpy
 import pytest
 from fmpy.fmi2 import FMU2Slave
 
-from tests.fmu_instance import Instance, pendulum
+from tests.support.fmus.fmu_instance import Instance, pendulum
 
 FORMS = (
     "file://{}", "file:{}", "file://localhost{}",

@@ -13,8 +13,8 @@ import solver
 from build_fmu.documentation import accuracy, solved
 from build_fmu.motion import Poses
 from build_fmu.self_check import SelfCheck, self_check
-from tests.fmu_instance import SCENES
-from tests.reduced_models import heavy_top, matrix_of, rotation
+from tests.support.fmus.fmu_instance import SCENES
+from tests.support.mechanisms.reduced_models import heavy_top, matrix_of, rotation
 
 OF_HALF_A_STEP = 4.0 / 3.0
 """Error of a step of order 2, over the difference to half of it."""

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from fmu_src import status
-from tests.fmu_instance import (
+from tests.support.fmus.fmu_instance import (
     instance,
     of_pendulum,
     pendulum,

@@ -9,7 +9,7 @@ import pytest
 from fmpy.fmi1 import FMICallException
 
 from fmu_src import status
-from tests.fmu_instance import instance, pendulum, scene_fmu, status_of, stepping_slave
+from tests.support.fmus.fmu_instance import instance, pendulum, scene_fmu, status_of, stepping_slave
 
 ERROR = 3
 

@@ -22,8 +22,8 @@ from fmpy.fmi2 import fmi2DoStepStatus, fmi2LastSuccessfulTime, fmi2PendingStatu
 import solver
 from build_fmu.fmpy_slaves import FMU3Run
 from fmu_src import status
-from tests.fmu_instance import Instance, instance, text_fmu
-from tests.native_fmus import native_fmu, slave_of_fmi3
+from tests.support.fmus.fmu_instance import Instance, instance, text_fmu
+from tests.support.fmus.native_fmus import native_fmu, slave_of_fmi3
 
 DISCARD, ERROR = 2, 3
 

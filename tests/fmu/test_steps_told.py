@@ -9,9 +9,9 @@ import solver
 from build_fmu.documentation import solved
 from build_fmu.self_check import self_check
 from solver.runtime import Integrator
-from tests.commands import run
-from tests.fmu_instance import Instance, instance, text_fmu
-from tests.native_fmus import native_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import Instance, instance, text_fmu
+from tests.support.fmus.native_fmus import native_fmu
 
 SWING = """
 name = "swing"

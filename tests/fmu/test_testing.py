@@ -15,8 +15,8 @@ from build_fmu.reference import limits
 from build_fmu.run import run_fmu
 from build_fmu.testing import assert_conserves, assert_follows
 from examples import demo
-from tests.commands import run
-from tests.fmu_instance import SCENES, pendulum, scene_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, pendulum, scene_fmu
 
 ROOT = SCENES.parent
 USERS_TEST = """

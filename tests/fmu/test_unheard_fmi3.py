@@ -22,8 +22,8 @@ from fmpy.fmi3 import (
 import solver
 from build_fmu.fmpy_slaves import FMU3Run
 from tests.fmu.test_state_machine import SCENE, fmu_of
-from tests.fmu_instance import Instance, instance
-from tests.native_fmus import native_fmu
+from tests.support.fmus.fmu_instance import Instance, instance
+from tests.support.fmus.native_fmus import native_fmu
 
 MISTAKES = {
     "value": lambda fmu: fmu.set(push=math.nan),

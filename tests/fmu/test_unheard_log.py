@@ -15,8 +15,8 @@ from build_fmu.instance import not_said_twice
 from build_fmu.run import run_fmu
 from fmu_src.log import MOST_TOLD
 from fmu_src.status import LOGGER
-from tests.fmu_instance import instance, pendulum, scene_fmu
-from tests.hanging import HANGS
+from tests.support.fmus.fmu_instance import instance, pendulum, scene_fmu
+from tests.support.hanging import HANGS
 
 SIMULATE = """
 import sys, fmpy

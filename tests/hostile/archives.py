@@ -13,7 +13,7 @@ from pathlib import Path
 import solver
 from build_fmu import build
 from build_fmu.command_line import main
-from tests.fmu_instance import packed
+from tests.support.fmus.fmu_instance import packed
 
 CPU_LIMIT = 5.0
 SCENE = """

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import solver
-from tests.random_shapes import RandomShapes, write_box
+from tests.support.contact.random_shapes import RandomShapes, write_box
 
 CPU_LIMIT = 60.0
 """Many contacts in stepped mode take some ms a step."""

@@ -15,7 +15,7 @@ from pathlib import Path
 import solver
 from solver.runtime.layout import PLACE
 from solver.runtime.model_file import HEADER
-from tests.saved_states import NUMBERS_AT, signed
+from tests.support.kernel.saved_states import NUMBERS_AT, signed
 
 SCENES = Path(__file__).parents[2] / "scenes"
 NAMES = (

@@ -8,7 +8,7 @@ import fmpy
 
 import solver
 from tests.hostile import calls
-from tests.native_fmus import native_fmu
+from tests.support.fmus.native_fmus import native_fmu
 
 
 def prepare(folder: Path) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import solver
-from tests.scene_files import ALL
+from tests.support.mechanisms.scene_files import ALL
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from tests.fmu_instance import scene_fmu
 from tests.importers.tools import REQUIRED, command, need
-from tests.native_fmus import native_scene_fmu
-from tests.scene_files import ALL
+from tests.support.fmus.fmu_instance import scene_fmu
+from tests.support.fmus.native_fmus import native_scene_fmu
+from tests.support.mechanisms.scene_files import ALL
 
 if not REQUIRED:
     pytest.skip("takes minutes: make importers runs it", allow_module_level=True)

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.fmu_instance import packed
 from tests.importers.tools import need, run_of
-from tests.native_fmus import native_scene_fmu
+from tests.support.fmus.fmu_instance import packed
+from tests.support.fmus.native_fmus import native_scene_fmu
 
 MADE = """
 import sys

@@ -13,10 +13,10 @@ from pathlib import Path
 import fmpy
 import pytest
 
-from tests.fmu_instance import Instance, scene_fmu
 from tests.importers.tools import TOOLS, Tool, missing, need, run_of
-from tests.native_fmus import native_scene_fmu
-from tests.scene_files import ALL
+from tests.support.fmus.fmu_instance import Instance, scene_fmu
+from tests.support.fmus.native_fmus import native_scene_fmu
+from tests.support.mechanisms.scene_files import ALL
 
 PROGRAMS = [tool for tool in TOOLS if tool.program]
 if not any(os.environ.get(tool.program) for tool in PROGRAMS):

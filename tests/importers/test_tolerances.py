@@ -8,8 +8,8 @@ import fmpy
 import pytest
 
 from tests.fmu.test_c_host import FINER, POINT, POINTS, SWINGS, in_fmpy
-from tests.fmu_instance import text_fmu
 from tests.importers.tools import drive, need
+from tests.support.fmus.fmu_instance import text_fmu
 
 WATCH = ("B.x", "rope.force")
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import solver
-from tests.problems import (
+from tests.support.mechanisms.problems import (
     Content,
     assemble,
     double_pendulum,

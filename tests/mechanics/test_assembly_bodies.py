@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import solver
 from solver.mechanics.inertia import FLOOR, euler_tensor, floored
-from tests.problems import Array
+from tests.support.mechanisms.problems import Array
 
 HEAD = 'name = "body"\n'
 

@@ -17,7 +17,7 @@ from scipy.optimize import lsq_linear
 from solver.scene import SceneError
 from tests.mechanics.test_contact_rows import Moved, Pose, bodies, posed
 from tests.mechanics.test_shape_rows import rate_of
-from tests.reduced_models import Array
+from tests.support.mechanisms.reduced_models import Array
 
 SEEDS = st.integers(0, 2**32 - 1)
 FEW = settings(max_examples=12, deadline=None)

@@ -24,7 +24,7 @@ from solver.mechanics.mechanism import Formula, FunctionRow, Mechanism
 from solver.mechanics.parts import Parts
 from solver.runtime.layout import LEAF_RATE, QUANTITY_ANGLE, QUANTITY_FORM
 from solver.scene import evaluate
-from tests.reduced_models import Array, rotation
+from tests.support.mechanisms.reduced_models import Array, rotation
 
 SEEDS = st.integers(0, 2**32 - 1)
 FEW = settings(max_examples=25)

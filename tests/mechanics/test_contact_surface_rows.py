@@ -26,8 +26,8 @@ from solver.runtime.layout import LEAF_RATE
 from solver.scene import ExpressionError, SceneError, evaluate, parse
 from solver.scene.expression import Curve, apply, operate, symbol
 from tests.mechanics.test_contact_rows import Moved, Pose, bodies, posed
-from tests.meshes import ellipsoid
-from tests.reduced_models import Array
+from tests.support.contact.meshes import ellipsoid
+from tests.support.mechanisms.reduced_models import Array
 
 SEEDS = st.integers(0, 2**32 - 1)
 RADIUS = 0.3

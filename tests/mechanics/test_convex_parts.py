@@ -12,8 +12,8 @@ import trimesh
 from solver.mechanics.convex_parts import convex_pieces, free_direction
 from solver.scene import SceneError
 from solver.scene.files import DataFile
-from tests.meshes import data_file
-from tests.problems import GRAVITY, assemble, mechanism, start
+from tests.support.contact.meshes import data_file
+from tests.support.mechanisms.problems import GRAVITY, assemble, mechanism, start
 
 SCENES = Path(__file__).parents[2] / "scenes"
 DIE = DataFile("die.stl", "stl", (SCENES / "die.stl").read_bytes())

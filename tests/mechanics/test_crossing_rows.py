@@ -9,7 +9,7 @@ import pytest
 
 from tests.mechanics.test_contact_rows import Moved, bodies, posed
 from tests.mechanics.test_shape_rows import rate_of
-from tests.polyhedra import Polyhedron, axes_of, cuboid, hull_of
+from tests.support.contact.polyhedra import Polyhedron, axes_of, cuboid, hull_of
 
 
 def boxes(random: np.random.Generator) -> tuple[dict[str, Any], Polyhedron, Polyhedron]:

@@ -14,9 +14,9 @@ import pytest
 import solver
 from solver.mechanics.dependencies import AT_THE_START, KnownVariables
 from solver.runtime import AssemblyError, Integrator, Model, OptionError
-from tests.fmu_instance import SCENES, instance, text_fmu
-from tests.native_fmus import native_fmu
-from tests.scene_files import ALL
+from tests.support.fmus.fmu_instance import SCENES, instance, text_fmu
+from tests.support.fmus.native_fmus import native_fmu
+from tests.support.mechanisms.scene_files import ALL
 
 TWO = """
 name = "two_mechanisms"

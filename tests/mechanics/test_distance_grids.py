@@ -13,8 +13,8 @@ from solver.mechanics.meshes import accuracy
 from solver.runtime import Integrator
 from solver.scene import SceneError
 from solver.scene.expression import apply
-from tests.meshes import box, ellipsoid
-from tests.problems import Content, assemble, mechanism, start
+from tests.support.contact.meshes import box, ellipsoid
+from tests.support.mechanisms.problems import Content, assemble, mechanism, start
 
 Array = NDArray[np.float64]
 SIZE = np.array([1.0, 0.6, 0.4])

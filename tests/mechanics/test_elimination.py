@@ -17,7 +17,7 @@ from build_kernel.compiler import FLAGS, includes, system_compiler, zig_compiler
 from solver import SceneError
 from solver.mechanics.elimination import MOST_PRODUCTS, Graph, Pattern, TreeBody, eliminate
 from solver.runtime.layout import MOST_IN_GROUP
-from tests.problems import Array, four_bar, observe, start
+from tests.support.mechanisms.problems import Array, four_bar, observe, start
 
 
 @st.composite
@@ -96,7 +96,7 @@ def block_lu(request, tmp_path_factory) -> ctypes.CDLL:
     kernel = root / "solver" / "kernel"
     options = [*FLAGS, "-DDIM=3", "-DHM_SCOPE=2", *includes(kernel), f"-I{kernel / 'linear'}"]
     options = [option for option in options if option != "-fvisibility=hidden"] + request.param
-    source = root / "tests" / "factors_of_groups.c"
+    source = root / "tests" / "support" / "kernel" / "factors_of_groups.c"
     subprocess.run([*compiler, *options, "-o", str(target), str(source)], check=True)
     return ctypes.CDLL(str(target))
 

@@ -16,9 +16,9 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import constraint_jacobian
-from tests.joint_rows import LOWER, OF_POINTS, Drawn, Joint, own_rows
-from tests.joint_scenes import PAIRS, TRAINS, pair, train
-from tests.reduced_models import Array, matrix_of, rotation
+from tests.support.mechanisms.joint_rows import LOWER, OF_POINTS, Drawn, Joint, own_rows
+from tests.support.mechanisms.joint_scenes import PAIRS, TRAINS, pair, train
+from tests.support.mechanisms.reduced_models import Array, matrix_of, rotation
 
 ROWS = LOWER | OF_POINTS
 TINY = 1e-30

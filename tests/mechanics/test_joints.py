@@ -9,7 +9,7 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import survey
-from tests.joint_scenes import COUPLINGS, PAIRS, PLANAR, SPATIAL, pair, train
+from tests.support.mechanisms.joint_scenes import COUPLINGS, PAIRS, PLANAR, SPATIAL, pair, train
 
 EVERY = pytest.mark.parametrize(("dimension", "kind"), [*PAIRS, *COUPLINGS])
 

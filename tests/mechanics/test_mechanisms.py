@@ -6,7 +6,7 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import survey
-from tests.mechanism_runs import scene
+from tests.support.mechanisms.mechanism_runs import scene
 
 FREEDOM = {
     # by counting (Kutzbach), by rank, with drivers, of velocities; joints of the textbooks

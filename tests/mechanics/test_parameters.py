@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 import solver
 from solver.runtime import AssemblyError, Integrator, OptionError
 from solver.runtime.model_writing import rules_of_laws
-from tests.problems import (
+from tests.support.mechanisms.problems import (
     Content,
     assemble,
     double_pendulum,

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import scene
-from tests.problems import Array
-from tests.work_sums import vector
+from tests.support.mechanisms.mechanism_runs import scene
+from tests.support.mechanisms.problems import Array
+from tests.support.mechanisms.work_sums import vector
 
 PINS = {"A": [0.0, 0.0], "B": [0.1, 0.3], "C": [0.7, 0.55], "D": [0.6, 0.0], "E": [1.2, 0.0]}
 FOUR_BAR = (("crank", "AB", 1.0), ("coupler", "BC", 2.0), ("rocker", "CD", 1.5))

@@ -16,7 +16,7 @@ from scipy.optimize import lsq_linear
 
 from solver.mechanics.mechanism import Formula
 from tests.mechanics.test_contact_rows import Moved, Pose, bodies, posed
-from tests.reduced_models import Array
+from tests.support.mechanisms.reduced_models import Array
 
 SEEDS = st.integers(0, 2**32 - 1)
 FEW = settings(max_examples=12, deadline=None)

@@ -9,7 +9,7 @@ import pytest
 import solver
 from solver.runtime import Model
 from solver.runtime.layout import ABI, TABLES
-from tests.zoo import PLANE, SPACE
+from tests.support.mechanisms.zoo import PLANE, SPACE
 
 BOTH = pytest.mark.parametrize("text", [PLANE, SPACE], ids=["plane", "space"])
 

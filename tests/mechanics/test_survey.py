@@ -7,9 +7,9 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import constraint_jacobian, survey
-from tests.kernel_calls import kernel_of
-from tests.mechanism_runs import SCENES
-from tests.zoo import PLANE, SPACE
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.mechanisms.mechanism_runs import SCENES
+from tests.support.mechanisms.zoo import PLANE, SPACE
 
 
 def of(name: str):

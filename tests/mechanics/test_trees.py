@@ -10,14 +10,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import solver
-from benchmarks.skips import SKIPS
+from benchmarks.sections.skips import SKIPS
 from scenes.generate import rigid_chain
 from solver.runtime import Model
 from solver.runtime.layout import LEAST_WITH_JOINT
-from tests.fmu_instance import SCENES
-from tests.kernels_without_skips import integrator_without, needs_compiler
-from tests.problems import Content, assemble, mechanism, observe, start, step, view
-from tests.scene_files import tomllib
+from tests.support.fmus.fmu_instance import SCENES
+from tests.support.kernel.kernels_without_skips import integrator_without, needs_compiler
+from tests.support.mechanisms.problems import (
+    Content,
+    assemble,
+    mechanism,
+    observe,
+    start,
+    step,
+    view,
+)
+from tests.support.mechanisms.scene_files import tomllib
 
 KINDS = {"spherical": 0, "universal": 1, "revolute": 2, "fixed": 3}
 """Joints that let two places meet, and the pairs of directions that each keeps."""

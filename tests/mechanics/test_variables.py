@@ -7,9 +7,9 @@ from solver.mechanics.build_mechanism import build_mechanism
 from solver.mechanics.outputs import named
 from solver.mechanics.sensors import Sensors
 from solver.scene import Distance
-from tests.kernel_calls import kernel_of
-from tests.scene_files import ALL
-from tests.scene_quantities import quantities_of
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.mechanisms.scene_files import ALL
+from tests.support.mechanisms.scene_quantities import quantities_of
 
 
 @pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)

@@ -11,7 +11,7 @@ import pytest
 import solver
 from solver.paper import FORMULATIONS
 from solver.runtime import OptionError, StepError
-from tests.problems import double_pendulum, scene
+from tests.support.mechanisms.problems import double_pendulum, scene
 
 SCENES = Path(__file__).parents[2] / "scenes"
 

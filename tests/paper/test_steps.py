@@ -15,8 +15,8 @@ from scipy.integrate import solve_ivp
 
 from solver.paper import FORMULATIONS, Functions, Method, Moment, Problem, motion
 from solver.runtime import StepError
-from tests.exact_motions import pendulum_angle, pendulum_multiplier
-from tests.problems import GRAVITY, Array, observed_order
+from tests.support.mechanisms.exact_motions import pendulum_angle, pendulum_multiplier
+from tests.support.mechanisms.problems import GRAVITY, Array, observed_order
 
 CONSERVING = [name for name in FORMULATIONS if name.startswith("conserving")]
 AUGMENTED = [name for name in FORMULATIONS if "-al" in name]

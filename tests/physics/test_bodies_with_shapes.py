@@ -11,8 +11,8 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from solver.runtime import Integrator
-from tests.problems import GRAVITY, Content, mechanism, observed_order, start
-from tests.reduced_models import Array
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism, observed_order, start
+from tests.support.mechanisms.reduced_models import Array
 
 STICK = [[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]
 INERTIA = [0.01, 0.1, 0.1]

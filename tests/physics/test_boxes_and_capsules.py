@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 from tests.physics.test_bodies_with_shapes import run, vector
-from tests.problems import GRAVITY, Content, mechanism
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism
 
 
 @pytest.mark.parametrize("restitution", [1.0, 0.5, 0.0])

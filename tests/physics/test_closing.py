@@ -9,10 +9,18 @@ import pytest
 import solver
 from solver.runtime.layout import CLOSINGS
 from solver.scene import SceneError
-from tests.excavator import BODIES, DRAWN, OTHERS, SCENE, STROKES, branches, farthest
-from tests.fmu_instance import instance
-from tests.native_fmus import native_fmu
-from tests.straight_arm import HANDS, arm, targets
+from tests.support.fmus.fmu_instance import instance
+from tests.support.fmus.native_fmus import native_fmu
+from tests.support.mechanisms.excavator import (
+    BODIES,
+    DRAWN,
+    OTHERS,
+    SCENE,
+    STROKES,
+    branches,
+    farthest,
+)
+from tests.support.mechanisms.straight_arm import HANDS, arm, targets
 
 ROUND_OFF = 1e-9  # [m] of 2 m: rows hold to 1e-10 of the size where a pose is close to straight
 

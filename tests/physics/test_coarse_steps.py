@@ -20,7 +20,7 @@ from scipy.integrate import solve_ivp
 import solver
 from build_fmu import build
 from build_fmu.run import run_fmu
-from tests.commands import run as command
+from tests.support.fmus.commands import run as command
 
 POINTS = 200
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from tests.contact_events import begin, number
-from tests.problems import Content, mechanism, observed_order
+from tests.support.contact.contact_events import begin, number
+from tests.support.mechanisms.problems import Content, mechanism, observed_order
 
 HUNT_CROSSLEY = {"law": "hunt-crossley", "stiffness": 1e6, "damping": 0.3}
 

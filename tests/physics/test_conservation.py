@@ -14,7 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 import solver
-from tests.problems import (
+from tests.support.mechanisms.problems import (
     GRAVITY,
     Content,
     chain,
@@ -28,7 +28,7 @@ from tests.problems import (
     tree,
     view,
 )
-from tests.random_mechanisms import free_systems
+from tests.support.mechanisms.random_mechanisms import free_systems
 
 SCENES = Path(__file__).parents[2] / "scenes"
 

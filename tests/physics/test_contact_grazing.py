@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from tests.contact_events import begin, cover, even, events_of, number, times_of
-from tests.contact_scenes import ORIGIN, circle, pendulum_at_a_stop, slider
-from tests.problems import GRAVITY, Content, mechanism
+from tests.support.contact.contact_events import begin, cover, even, events_of, number, times_of
+from tests.support.contact.contact_scenes import ORIGIN, circle, pendulum_at_a_stop, slider
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism
 
 
 def ceiling(depth: float, restitution: float = 0.5) -> Content:

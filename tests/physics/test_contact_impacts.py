@@ -11,8 +11,8 @@ import math
 import pytest
 
 import solver
-from tests.contact_events import begin, cover, even, events_of, number, times_of
-from tests.contact_scenes import (
+from tests.support.contact.contact_events import begin, cover, even, events_of, number, times_of
+from tests.support.contact.contact_scenes import (
     ball,
     cam,
     circle,
@@ -23,7 +23,7 @@ from tests.contact_scenes import (
     slider_crank_with_clearance,
     sphere_of_clearance,
 )
-from tests.problems import GRAVITY
+from tests.support.mechanisms.problems import GRAVITY
 
 BALL_HITS = [0.451523640985731, 1.1739614665629, 1.75191172702464]
 CIRCLE = {

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from tests.contact_events import begin, cover, even, number
-from tests.contact_scenes import (
+from tests.support.contact.contact_events import begin, cover, even, number
+from tests.support.contact.contact_scenes import (
     ball,
     belt,
     bowling_ball,
@@ -25,7 +25,7 @@ from tests.contact_scenes import (
     slider_crank_with_clearance,
     sphere_of_clearance,
 )
-from tests.problems import GRAVITY, Content
+from tests.support.mechanisms.problems import GRAVITY, Content
 
 ALL: dict[str, tuple[Callable[[], Content], float, float]] = {
     "ball": (ball, 5.0, 0.05),

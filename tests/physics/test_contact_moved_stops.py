@@ -7,8 +7,8 @@ import math
 import pytest
 
 from solver.runtime import Integrator, OptionError
-from tests.contact_events import begin, number
-from tests.problems import GRAVITY, Content, mechanism
+from tests.support.contact.contact_events import begin, number
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism
 
 
 def slider(low: float = -1.0, high: float = 1.0, **more: object) -> Content:

@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from tests.contact_events import begin, cover, even, events_of, number, times_of
-from tests.contact_scenes import (
+from tests.support.contact.contact_events import begin, cover, even, events_of, number, times_of
+from tests.support.contact.contact_scenes import (
     ball_on_a_strut,
     belt,
     circle,
@@ -29,8 +29,8 @@ from tests.contact_scenes import (
     rod_that_falls,
     slider_crank_with_clearance,
 )
-from tests.exact_contacts import hits_on_a_strut, rod_that_bounces, slips_on_a_belt
-from tests.problems import GRAVITY, Content
+from tests.support.contact.exact_contacts import hits_on_a_strut, rod_that_bounces, slips_on_a_belt
+from tests.support.mechanisms.problems import GRAVITY, Content
 
 CIRCLE_AT_20_S = [-0.6850412555779, -0.7285042746314]
 STOP_HITS = [0.636375398716223, 1.95380341134223, 3.35390204401844]

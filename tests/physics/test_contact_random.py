@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import solver
 from solver.runtime import Integrator, StepError
-from tests.random_contacts import Content, RandomContacts
+from tests.support.contact.random_contacts import Content, RandomContacts
 
 CLOSED = 1e-11
 """Error of the ledger, of the reference energy, that round-off of a run explains."""

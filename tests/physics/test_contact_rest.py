@@ -14,7 +14,7 @@ import pytest
 from scipy.optimize import linprog
 
 import solver
-from tests.twins import start
+from tests.support.kernel.twins import start
 
 G = 9.81
 PLANE = 'name = "rest"\ndimension = 2\n'

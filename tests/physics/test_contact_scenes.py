@@ -17,10 +17,10 @@ from scipy.optimize import brentq
 
 import solver
 from solver.runtime import Integrator, Model
-from tests import woodpecker
-from tests.contact_events import contacts_of, number
-from tests.problems import GRAVITY, observed_order
-from tests.scene_files import SCENES, TOUCHING
+from tests.support.contact import woodpecker
+from tests.support.contact.contact_events import contacts_of, number
+from tests.support.mechanisms.problems import GRAVITY, observed_order
+from tests.support.mechanisms.scene_files import SCENES, TOUCHING
 
 LOSSES = ("energy.friction", "energy.impact")
 NAMES = [path.stem for path in TOUCHING]

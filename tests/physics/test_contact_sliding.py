@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.contact_events import begin, cover, even, events_of, number, times_of
-from tests.contact_scenes import (
+from tests.support.contact.contact_events import begin, cover, even, events_of, number, times_of
+from tests.support.contact.contact_scenes import (
     belt,
     bowling_ball,
     bowling_disc,
@@ -22,8 +22,8 @@ from tests.contact_scenes import (
     slider,
     two_on_a_spring,
 )
-from tests.exact_contacts import rod_that_bounces
-from tests.problems import GRAVITY, Content, mechanism, start
+from tests.support.contact.exact_contacts import rod_that_bounces
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism, start
 
 SLIDER_STOP, SLIDER_PLACE, SLIDER_LOSS = 0.509683995922528, 0.382262996941896, 1.125
 BELT_FIRST_SLIP, BELT_SLIP_TIME, BELT_PERIOD = 0.25, 0.471238898038469, 0.671238898038469

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from solver.runtime import Integrator
-from tests.contact_events import begin, cover, even, number
-from tests.contact_scenes import (
+from tests.support.contact.contact_events import begin, cover, even, number
+from tests.support.contact.contact_scenes import (
     ball,
     belt,
     bowling_ball,
@@ -21,7 +21,7 @@ from tests.contact_scenes import (
     rod_that_falls,
     slider_crank_with_clearance,
 )
-from tests.problems import Content
+from tests.support.mechanisms.problems import Content
 
 MOMENTS: dict[str, tuple[Callable[[], Content], float, float, float]] = {
     "between impacts": (ball, 0.05, 0.7, 0.9),

@@ -9,8 +9,8 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.contact_events import begin, contacts_of, cover, even, number
-from tests.contact_scenes import (
+from tests.support.contact.contact_events import begin, contacts_of, cover, even, number
+from tests.support.contact.contact_scenes import (
     ball,
     belt,
     bowling_ball,
@@ -22,10 +22,10 @@ from tests.contact_scenes import (
     slider,
     slider_crank_with_clearance,
 )
-from tests.exact_contacts import loss_of_a_pendulum_that_rubs
-from tests.problems import GRAVITY, Content, mechanism
-from tests.problems import scene as solver_scene
-from tests.scene_files import SCENES
+from tests.support.contact.exact_contacts import loss_of_a_pendulum_that_rubs
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism
+from tests.support.mechanisms.problems import scene as solver_scene
+from tests.support.mechanisms.scene_files import SCENES
 
 STEPPED: dict[str, Any] = {"contact_mode": "stepped"}
 CLOSURE = 1e-12

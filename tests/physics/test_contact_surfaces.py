@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq as scipy_brentq
 
 from solver.runtime import Integrator
-from tests.problems import GRAVITY, Content, mechanism, start
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism, start
 
 LIFT, LAND, LOSS = 0.0301611762602959, 0.0665961038986019, 0.0557996132142155
 """Of a flat follower on an eccentric disc, in closed form: times [s] and energy [J]."""

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from tests.contact_events import begin, cover, even, events_of, number, times_of
-from tests.contact_scenes import (
+from tests.support.contact.contact_events import begin, cover, even, events_of, number, times_of
+from tests.support.contact.contact_scenes import (
     ball,
     belt,
     cam,
@@ -18,7 +18,7 @@ from tests.contact_scenes import (
     slider,
     slider_crank_with_clearance,
 )
-from tests.problems import GRAVITY, Content, mechanism
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism
 
 HALF_SECOND = 0.5 * GRAVITY * 0.5**2
 """Height from which a fall takes 0.5 s."""

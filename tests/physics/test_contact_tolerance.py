@@ -12,11 +12,11 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.contact_events import begin, cover, even, number
-from tests.contact_scenes import ball_on_a_strut, belt, circle, incline
-from tests.exact_contacts import BELT, hits_on_a_strut, on_a_strut, slips_on_a_belt
-from tests.problems import Content
-from tests.scene_files import SCENES
+from tests.support.contact.contact_events import begin, cover, even, number
+from tests.support.contact.contact_scenes import ball_on_a_strut, belt, circle, incline
+from tests.support.contact.exact_contacts import BELT, hits_on_a_strut, on_a_strut, slips_on_a_belt
+from tests.support.mechanisms.problems import Content
+from tests.support.mechanisms.scene_files import SCENES
 
 Place = tuple[float, float]
 

@@ -8,7 +8,7 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.problems import GRAVITY, Content, assemble, mechanism, start
+from tests.support.mechanisms.problems import GRAVITY, Content, assemble, mechanism, start
 
 
 def at_rest(content: Content) -> Integrator:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from scenes.generate import hanging_chain, rigid_chain
-from tests.problems import (
+from tests.support.mechanisms.problems import (
     Content,
     assemble,
     chain,
@@ -20,7 +20,7 @@ from tests.problems import (
     travelling_wave,
     tree,
 )
-from tests.scene_files import tomllib
+from tests.support.mechanisms.scene_files import tomllib
 
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
 

@@ -16,11 +16,11 @@ from fmpy import read_model_description
 import solver
 from build_fmu.errors import UsageError
 from build_fmu.run import run_fmu
-from tests.commands import run
-from tests.fmu_instance import text_fmu
-from tests.native_fmus import native_fmu
 from tests.physics.test_smooth_inputs import ARM, torque
-from tests.problems import observed_order
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import text_fmu
+from tests.support.fmus.native_fmus import native_fmu
+from tests.support.mechanisms.problems import observed_order
 
 Columns = Mapping[str, np.ndarray]
 

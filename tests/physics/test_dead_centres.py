@@ -7,8 +7,8 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.contact_events import number
-from tests.scene_files import SCENES
+from tests.support.contact.contact_events import number
+from tests.support.mechanisms.scene_files import SCENES
 
 FORCE, STROKE, ENERGY = 0.02 * 2.0 * 9.81, 0.3, 1.0
 """Of friction [N], of the crank [m], at the start [J]; the parts below have them."""

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import solver
-from tests.problems import Array, observed_order
-from tests.work_sums import HalfSteps, vector
+from tests.support.mechanisms.problems import Array, observed_order
+from tests.support.mechanisms.work_sums import HalfSteps, vector
 
 # ----------------------------------------------------- a stiff bond of two particles, alpha/2 Phi^2
 

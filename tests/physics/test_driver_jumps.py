@@ -10,8 +10,8 @@ import solver
 from build_fmu import build
 from build_fmu.motion import RESIDUAL
 from build_fmu.self_check import self_check
-from tests.commands import run
-from tests.twins import start
+from tests.support.fmus.commands import run
+from tests.support.kernel.twins import start
 
 ARM = """
 name = "arm"

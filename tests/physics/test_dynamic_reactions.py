@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 
 import solver
-from tests.joint_scenes import pair, train
-from tests.mechanism_runs import run
-from tests.reduced_models import Array, matrix_of, rotation
+from tests.support.mechanisms.joint_scenes import pair, train
+from tests.support.mechanisms.mechanism_runs import run
+from tests.support.mechanisms.reduced_models import Array, matrix_of, rotation
 
 CENTRE = np.array([0.02, 0.05, -0.03])
 INERTIA = np.array([[0.05, 0.01, 0.0], [0.01, 0.06, -0.005], [0.0, -0.005, 0.04]])

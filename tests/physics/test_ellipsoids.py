@@ -11,8 +11,8 @@ from scipy.integrate import solve_ivp
 
 import solver
 from tests.physics.test_bodies_with_shapes import run, vector
-from tests.problems import GRAVITY, Content, mechanism, observed_order
-from tests.reduced_models import Array, rotation
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism, observed_order
+from tests.support.mechanisms.reduced_models import Array, rotation
 
 SCENES = Path(solver.__file__).parents[1] / "scenes"
 

@@ -8,8 +8,12 @@ from __future__ import annotations
 
 import pytest
 
-from tests.kernels_without_skips import integrator_with, kernel_without, needs_compiler
-from tests.problems import Content, assemble, four_bar
+from tests.support.kernel.kernels_without_skips import (
+    integrator_with,
+    kernel_without,
+    needs_compiler,
+)
+from tests.support.mechanisms.problems import Content, assemble, four_bar
 
 pytestmark = needs_compiler
 

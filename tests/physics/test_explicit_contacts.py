@@ -10,8 +10,8 @@ from scipy.special import ellipj, ellipk
 
 import holonom
 import solver
-from tests.mechanism_runs import SCENES
-from tests.twins import start
+from tests.support.kernel.twins import start
+from tests.support.mechanisms.mechanism_runs import SCENES
 
 EXPLICIT = 2
 TOLERANCES = [1e-4, 1e-6, 1e-8, 1e-10]

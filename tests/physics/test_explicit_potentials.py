@@ -9,7 +9,7 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.mechanism_runs import steps_explicitly
+from tests.support.mechanisms.mechanism_runs import steps_explicitly
 
 
 def started(text: str, tolerance: float, stop: float = 1.0) -> Integrator:

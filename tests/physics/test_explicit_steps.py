@@ -16,9 +16,9 @@ from scipy.integrate import quad, solve_ivp
 
 import solver
 from solver.runtime import Integrator
-from tests.mechanism_runs import scene, steps_explicitly
-from tests.problems import GRAVITY
-from tests.twins import vector
+from tests.support.kernel.twins import vector
+from tests.support.mechanisms.mechanism_runs import scene, steps_explicitly
+from tests.support.mechanisms.problems import GRAVITY
 
 TEXT = (
     Path(__file__).parents[2] / "solver" / "kernel" / "methods" / "runge_kutta_methods.h"

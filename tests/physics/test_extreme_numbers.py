@@ -13,17 +13,17 @@ import pytest
 from scipy.optimize import brentq
 
 import solver
-from benchmarks.stress import _extremes
-from benchmarks.stress_random import mechanism as random_mechanism
-from benchmarks.stress_runs import Found, run
-from benchmarks.stress_scenes import (
+from benchmarks.problems.stress_scenes import (
     four_bar,
     linked_bodies,
     nearly_parallel,
     spinning,
     stiff_chain,
 )
-from tests.problems import (
+from benchmarks.sections.stress import _extremes
+from benchmarks.sections.stress_random import mechanism as random_mechanism
+from benchmarks.sections.stress_runs import Found, run
+from tests.support.mechanisms.problems import (
     GRAVITY,
     Content,
     double_pendulum,

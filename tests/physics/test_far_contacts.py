@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import solver
-from benchmarks.skips import SKIPS
+from benchmarks.sections.skips import SKIPS
 from solver.runtime import Integrator
 from solver.runtime.layout import CONTACT
-from tests.kernels_without_skips import integrator_without, needs_compiler
-from tests.mechanism_runs import scene
-from tests.problems import Content, assemble, chain, start
+from tests.support.kernel.kernels_without_skips import integrator_without, needs_compiler
+from tests.support.mechanisms.mechanism_runs import scene
+from tests.support.mechanisms.problems import Content, assemble, chain, start
 
 UNTIL = CONTACT.index("asleep_until")
 SLEEP = SKIPS["far contacts"]

@@ -17,8 +17,8 @@ from scipy.special import ellipj
 
 import solver
 from solver.runtime import Integrator
-from tests.mechanism_runs import steps_explicitly, vector
-from tests.problems import Array
+from tests.support.mechanisms.mechanism_runs import steps_explicitly, vector
+from tests.support.mechanisms.problems import Array
 
 G = 9.81
 

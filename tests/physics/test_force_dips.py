@@ -9,8 +9,8 @@ import pytest
 import holonom
 import solver
 from solver.runtime.layout import MESH, MESH_ENDS
-from tests.mechanism_runs import SCENES
-from tests.twins import start
+from tests.support.kernel.twins import start
+from tests.support.mechanisms.mechanism_runs import SCENES
 
 PUSHED = """
 name = "pushed"

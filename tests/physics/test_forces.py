@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.problems import (
+from tests.support.mechanisms.problems import (
     GRAVITY,
     mechanism,
     move,

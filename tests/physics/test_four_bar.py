@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.exact_motions import four_bar_angle
-from tests.problems import (
+from tests.support.mechanisms.exact_motions import four_bar_angle
+from tests.support.mechanisms.problems import (
     GRAVITY,
     Array,
     assemble,

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.contact_events import begin, cover, even, number
-from tests.problems import Content
+from tests.support.contact.contact_events import begin, cover, even, number
+from tests.support.mechanisms.problems import Content
 
 G = 9.81
 SLOPE, WIDE, SMALL = 0.2, 1.0, 0.25

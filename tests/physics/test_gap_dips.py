@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import solver
-from tests.twins import start
+from tests.support.kernel.twins import start
 
 PENDULUM = """
 name = "grazing"

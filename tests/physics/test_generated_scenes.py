@@ -13,8 +13,8 @@ from scipy.optimize import brentq
 
 import solver
 from scenes.generate import GENERATORS, hanging_chain, n_four_bar, rigid_chain
-from tests.exact_motions import four_bar_angle
-from tests.mechanism_runs import extrapolated, run, times, vector
+from tests.support.mechanisms.exact_motions import four_bar_angle
+from tests.support.mechanisms.mechanism_runs import extrapolated, run, times, vector
 
 QUIET = ["energy.error", "constraint.position"]
 

@@ -16,11 +16,11 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.exact_motions import double_pendulum_motion
-from tests.mechanism_runs import run as values_of
-from tests.mechanism_runs import scene
-from tests.problems import Array, double_pendulum, observed_order
-from tests.problems import scene as scene_of
+from tests.support.mechanisms.exact_motions import double_pendulum_motion
+from tests.support.mechanisms.mechanism_runs import run as values_of
+from tests.support.mechanisms.mechanism_runs import scene
+from tests.support.mechanisms.problems import Array, double_pendulum, observed_order
+from tests.support.mechanisms.problems import scene as scene_of
 
 pytestmark = pytest.mark.filterwarnings("ignore:joints do not allow the velocity")  # flying
 

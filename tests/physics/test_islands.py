@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from solver.runtime import Integrator
-from tests.island_scenes import (
+from tests.support.mechanisms.island_scenes import (
     HANGING,
     SWINGING,
     H,
@@ -14,7 +14,7 @@ from tests.island_scenes import (
     driven,
     started,
 )
-from tests.problems import chain, pendulum
+from tests.support.mechanisms.problems import chain, pendulum
 
 CASES = {
     "one mechanism": (SWINGING, 1),

@@ -14,9 +14,9 @@ from scipy.integrate import solve_ivp
 
 import solver
 from solver.runtime import Integrator
-from tests.exact_motions import pendulum_angle
-from tests.mechanism_runs import steps_explicitly
-from tests.problems import Array
+from tests.support.mechanisms.exact_motions import pendulum_angle
+from tests.support.mechanisms.mechanism_runs import steps_explicitly
+from tests.support.mechanisms.problems import Array
 
 G = 9.81
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
-from tests.contact_events import begin, cover, even, number
-from tests.problems import Content
+from tests.support.contact.contact_events import begin, cover, even, number
+from tests.support.mechanisms.problems import Content
 
 MASS, LENGTH, BALL, SPEED, E = 2.0, 1.0, 0.5, 3.0, 0.6
 MU, RADIUS = 0.4, 0.05

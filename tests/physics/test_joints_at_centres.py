@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 import solver
-from tests.newton_euler import GROUND, Mechanism, Meet, Perpendicular
-from tests.problems import Content
-from tests.work_sums import vector
+from tests.support.mechanisms.newton_euler import GROUND, Mechanism, Meet, Perpendicular
+from tests.support.mechanisms.problems import Content
+from tests.support.mechanisms.work_sums import vector
 
 A, B = [0.2, -0.1, 0.3], [0.7, 0.4, 0.1]
 AXIS, ACROSS = [1, 2, 2], [2, 1, -2]

@@ -11,8 +11,8 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.contact_events import begin, cover, even, number
-from tests.problems import Content
+from tests.support.contact.contact_events import begin, cover, even, number
+from tests.support.mechanisms.problems import Content
 
 G, MASS, LENGTH, PLAY, RADIUS = 9.81, 2.0, 0.2, 0.002, 0.03
 

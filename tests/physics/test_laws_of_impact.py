@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.contact_laws import HAS_COMPILER, Impact, Laws
-from tests.contact_sets import ContactSet, random_sets
-from tests.problems import Array
+from tests.support.contact.contact_laws import HAS_COMPILER, Impact, Laws
+from tests.support.contact.contact_sets import ContactSet, random_sets
+from tests.support.mechanisms.problems import Array
 
 pytestmark = pytest.mark.skipif(not HAS_COMPILER, reason="no C compiler")
 

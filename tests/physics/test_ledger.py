@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import solver
 from solver.runtime import Integrator
-from tests.problems import (
+from tests.support.mechanisms.problems import (
     Content,
     move,
     observe,
@@ -22,8 +22,8 @@ from tests.problems import (
     tethered,
     view,
 )
-from tests.random_mechanisms import driven_systems
-from tests.scene_files import ALL
+from tests.support.mechanisms.random_mechanisms import driven_systems
+from tests.support.mechanisms.scene_files import ALL
 
 
 @pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)

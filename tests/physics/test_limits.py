@@ -7,8 +7,8 @@ import math
 import pytest
 
 import solver
-from tests.kernel_calls import kernel_of
-from tests.twins import PENDULUM, start
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.twins import PENDULUM, start
 
 ROD = """
 name = "rod"

@@ -7,10 +7,15 @@ import math
 import numpy as np
 import pytest
 
-from tests.mechanism_kinematics import jansen, peaucellier, slider_crank, stephenson
-from tests.mechanism_runs import extrapolated, run, times, vector
-from tests.problems import observed_order
-from tests.reduced_models import Array, bars_in_motion
+from tests.support.mechanisms.mechanism_kinematics import (
+    jansen,
+    peaucellier,
+    slider_crank,
+    stephenson,
+)
+from tests.support.mechanisms.mechanism_runs import extrapolated, run, times, vector
+from tests.support.mechanisms.problems import observed_order
+from tests.support.mechanisms.reduced_models import Array, bars_in_motion
 
 ANDREWS = [f"K{i}.angle" for i in range(1, 8)]
 ANDREWS_AT_30_MS = np.array(

@@ -16,7 +16,7 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 import solver
-from tests.problems import Array
+from tests.support.mechanisms.problems import Array
 
 LENGTH, MASS = np.array([0.055, 0.35, 0.07]), np.array([0.1, 0.12, 0.15])
 INERTIA = np.array([5e-5, 1.8e-3, 8e-4])

@@ -9,9 +9,9 @@ import pytest
 import trimesh
 
 from solver.runtime import Integrator
-from tests.contact_events import begin, contacts_of, cover, number
-from tests.meshes import box, data_file, ellipsoid
-from tests.problems import GRAVITY, Content, mechanism, observed_order
+from tests.support.contact.contact_events import begin, contacts_of, cover, number
+from tests.support.contact.meshes import box, data_file, ellipsoid
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism, observed_order
 
 SEMI_AXES = (1.0, 0.8, 0.6)
 

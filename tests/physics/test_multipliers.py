@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from solver.runtime import Integrator
-from tests.exact_motions import pendulum_multiplier
-from tests.problems import (
+from tests.support.mechanisms.exact_motions import pendulum_multiplier
+from tests.support.mechanisms.problems import (
     Array,
     Content,
     chain,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.problems import Content, assemble, chain, start, tree
+from tests.support.mechanisms.problems import Content, assemble, chain, start, tree
 
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
 FRICTION = pytest.mark.parametrize("friction", [0.0, 0.3], ids=["frictionless", "friction"])

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from tests.kernel_calls import kernel_of
-from tests.problems import (
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.mechanisms.problems import (
     GRAVITY,
     Motion,
     double_pendulum,

@@ -10,7 +10,7 @@ import pytest
 import solver
 from build_fmu.command_line import main
 from fmu_src.status import LOGGER
-from tests.fmu_instance import instance, text_fmu
+from tests.support.fmus.fmu_instance import instance, text_fmu
 
 PART = """
 [points.{name}]

@@ -13,9 +13,9 @@ from scipy.spatial.transform import Rotation
 from solver.runtime import Integrator
 from tests.mechanics.test_contact_rows import Pose
 from tests.physics.test_bodies_with_shapes import run, vector
-from tests.polyhedra import Polyhedron, cuboid, hull_of, separation
-from tests.problems import GRAVITY, Content, mechanism, start
-from tests.reduced_models import Array
+from tests.support.contact.polyhedra import Polyhedron, cuboid, hull_of, separation
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism, start
+from tests.support.mechanisms.reduced_models import Array
 
 BOTH_MODES = pytest.mark.parametrize("mode", ["located", "stepped"])
 

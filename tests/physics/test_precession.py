@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import run, times
-from tests.reduced_models import Array
+from tests.support.mechanisms.mechanism_runs import run, times
+from tests.support.mechanisms.reduced_models import Array
 
 ACROSS, ALONG, MOMENT = 5.0, 1.0, 20.0
 """A, C [kg.m2] about the tip and m g l [N.m] of Simo and Wong's top."""

@@ -13,7 +13,7 @@ import solver
 from build_fmu import build
 from build_fmu.run import run_fmu
 from tests.fmu.test_model_description import root_of
-from tests.twins import start
+from tests.support.kernel.twins import start
 
 SPRING = """
 name = "oscillator"

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.runtime import Integrator
-from tests.island_scenes import assembled, beside, started
-from tests.problems import Content
-from tests.random_mechanisms import driven_systems, free_systems
+from tests.support.mechanisms.island_scenes import assembled, beside, started
+from tests.support.mechanisms.problems import Content
+from tests.support.mechanisms.random_mechanisms import driven_systems, free_systems
 
 STEPS, H = 6, 0.005
 GRAVITY = [0.5, -9.81, 1.0]

@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import solver
-from tests.problems import Content
-from tests.work_sums import vector
+from tests.support.mechanisms.problems import Content
+from tests.support.mechanisms.work_sums import vector
 
 Random = np.random.Generator
 

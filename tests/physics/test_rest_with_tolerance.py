@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import Array, scene, steps_explicitly
+from tests.support.mechanisms.mechanism_runs import Array, scene, steps_explicitly
 
 PLANE = 'name = "rest"\ndimension = 2\ngravity = [0, -9.81]\n'
 SPACE = 'name = "rest"\ngravity = [0, 0, -9.81]\n'

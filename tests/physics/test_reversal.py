@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.kernel_cases import SOURCES, is_plain
-from tests.scene_files import SMOOTH
-from tests.twins import advance, start, vector
+from tests.support.kernel.kernel_cases import SOURCES, is_plain
+from tests.support.kernel.twins import advance, start, vector
+from tests.support.mechanisms.scene_files import SMOOTH
 
 
 def conservative(integrator):

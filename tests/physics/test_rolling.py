@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.mechanism_runs import extrapolated, run, times
-from tests.nonholonomic_models import snakeboard
+from tests.support.mechanisms.mechanism_runs import extrapolated, run, times
+from tests.support.mechanisms.nonholonomic_models import snakeboard
 
 
 def test_the_snakeboard_goes_as_the_oracle():

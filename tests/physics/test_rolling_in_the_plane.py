@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import run
-from tests.reduced_models import Array
+from tests.support.mechanisms.mechanism_runs import run
+from tests.support.mechanisms.reduced_models import Array
 
 RADIUS, MASS, SLOPE, GRAVITY = 0.3, 2.0, 0.4, 9.81
 FOOT = np.array([0.2, 0.1])

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from tests.physics.test_bodies_with_shapes import run
-from tests.problems import GRAVITY, Content, mechanism
+from tests.support.mechanisms.problems import GRAVITY, Content, mechanism
 
 MASS, INERTIA, RADIUS, FRICTION, SPIN = 3.0, 0.02, 0.05, 0.2, 6.0
 SLOWING = FRICTION * MASS * GRAVITY * RADIUS / INERTIA

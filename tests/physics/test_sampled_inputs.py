@@ -7,7 +7,7 @@ import math
 import pytest
 
 import solver
-from tests.twins import start
+from tests.support.kernel.twins import start
 
 ARM = """
 name = "arm"

@@ -10,8 +10,8 @@ import pytest
 import solver
 from build_fmu.errors import UsageError
 from build_fmu.run import run_fmu
-from tests.commands import run
-from tests.fmu_instance import text_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import text_fmu
 
 CART = """
 name = "cart"

@@ -19,9 +19,9 @@ import numpy as np
 import pytest
 from scipy.special import eval_laguerre, jn_zeros, roots_laguerre
 
-from tests.mechanism_runs import run
-from tests.problems import Content, mechanism, rods, scene
-from tests.reduced_models import Array
+from tests.support.mechanisms.mechanism_runs import run
+from tests.support.mechanisms.problems import Content, mechanism, rods, scene
+from tests.support.mechanisms.reduced_models import Array
 
 GRAVITY, HEIGHT = 9.81, 1.0
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.contact_events import begin, cover, even, number
-from tests.contact_scenes import GRAVITY, bowling_ball, incline, slider
-from tests.problems import Content
+from tests.support.contact.contact_events import begin, cover, even, number
+from tests.support.contact.contact_scenes import GRAVITY, bowling_ball, incline, slider
+from tests.support.mechanisms.problems import Content
 
 MU, SPEED = 0.3, 1.5
 """Coefficient of the slider, and its first speed [m/s]."""

@@ -13,7 +13,7 @@ from scipy.integrate import simpson
 
 import solver
 from solver.runtime import Integrator
-from tests.problems import observed_order
+from tests.support.mechanisms.problems import observed_order
 
 INERTIA, WEIGHT = 0.2 + 2.0 * 0.3**2, 2.0 * 10.0 * 0.3
 """About the hinge [kg m2], and the moment of the arm's weight in the horizontal [N m]."""

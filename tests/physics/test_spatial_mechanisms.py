@@ -8,10 +8,15 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_kinematics import cardan_angle, differential, slider_crank, stewart
-from tests.mechanism_runs import extrapolated, run, scene, times, vector
-from tests.newton_euler import bricard
-from tests.reduced_models import Governor
+from tests.support.mechanisms.mechanism_kinematics import (
+    cardan_angle,
+    differential,
+    slider_crank,
+    stewart,
+)
+from tests.support.mechanisms.mechanism_runs import extrapolated, run, scene, times, vector
+from tests.support.mechanisms.newton_euler import bricard
+from tests.support.mechanisms.reduced_models import Governor
 
 CORNER = vector("rod3.end")
 CORNER_AT_1_S = (0.51050146, -1.64916760, 0.14012311)

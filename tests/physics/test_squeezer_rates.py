@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import run, scene
-from tests.problems import observed_order
-from tests.reduced_models import Array
+from tests.support.mechanisms.mechanism_runs import run, scene
+from tests.support.mechanisms.problems import observed_order
+from tests.support.mechanisms.reduced_models import Array
 
 BETA, THETA = 14222.4439199541, -10666.8329399656
 """Accelerations of the crank and of the rod against it at the start [rad/s2]; others are zero."""

@@ -9,8 +9,8 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.contact_events import number
-from tests.scene_files import SCENES
+from tests.support.contact.contact_events import number
+from tests.support.mechanisms.scene_files import SCENES
 
 ROD, BOX, BALL = (
     [[-0.5, 0], [0.5, 0]],

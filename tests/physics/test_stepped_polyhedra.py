@@ -11,9 +11,9 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.contact_events import number
-from tests.contact_scenes import toml_of
-from tests.problems import GRAVITY, Content
+from tests.support.contact.contact_events import number
+from tests.support.contact.contact_scenes import toml_of
+from tests.support.mechanisms.problems import GRAVITY, Content
 
 GOLDEN = (1.0 + math.sqrt(5.0)) / 2.0
 TETRAHEDRON = [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)]
@@ -26,6 +26,8 @@ ICOSAHEDRON = [
 ]
 SHAPES = {"tetrahedron": TETRAHEDRON, "cube": CUBE, "icosahedron": ICOSAHEDRON}
 MASS, RADIUS = 0.2, 0.05
+DEFERS = {("tetrahedron", 3), ("cube", 3), ("icosahedron", 1)}
+"""Runs, with their steps, in which no choice of sticking corners agrees with the forces."""
 
 
 def _falling(shape: str, seed: int) -> tuple[Content, float]:
@@ -79,6 +81,7 @@ def test_what_falls_on_a_floor_obeys_the_laws_of_contact_to_the_end(shape, seed)
             assert force >= 0.0
             assert rubs <= friction * force + 1e-8 * hardest
     assert any("deferred_frictions" in sentence for sentence in sentences) == (deferred > 0.0)
+    assert deferred > 0.0 or (shape, seed) not in DEFERS
     if number(run, "energy.kinetic") < 1e-16:
         forces = sum(number(run, f"{name}.force") for name in content["contacts"])
         assert forces == pytest.approx(MASS * GRAVITY, rel=1e-9)
@@ -113,11 +116,13 @@ def test_a_box_that_lands_on_corners_that_rub_and_others_that_do_not_slides_on()
     }
     run = Integrator(solver.assemble(solver.loads(toml_of(content))), log=lambda _: None)
     run.initialise()
-    energy = number(run, "energy.kinetic")
+    energy, deferred = number(run, "energy.kinetic"), 0.0
     for _ in range(20):
         run.advance(run.time, 0.01)
+        deferred += number(run, "solver.deferred_frictions")
         assert number(run, "energy.kinetic") <= energy * (1.0 + 1e-12)
         energy = number(run, "energy.kinetic")
         assert all(number(run, f"c{i}.gap") > -1e-10 for i in range(3))
         assert all(number(run, f"c{i}.impulse") >= 0.0 for i in range(3))
     assert number(run, "energy.impact") > 0.0
+    assert deferred > 0.0

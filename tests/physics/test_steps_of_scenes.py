@@ -13,10 +13,10 @@ from hypothesis import settings as trials
 
 import solver
 from solver.runtime import Integrator, Model
-from tests.kernel_cases import SOURCES
-from tests.kernels_without_skips import integrator_without
-from tests.random_mechanisms import driven_systems
-from tests.twins import Array, model_of
+from tests.support.kernel.kernel_cases import SOURCES
+from tests.support.kernel.kernels_without_skips import integrator_without
+from tests.support.kernel.twins import Array, model_of
+from tests.support.mechanisms.random_mechanisms import driven_systems
 
 ORDERS = (2, 4, 6, 8)
 PARTS = (2, 4, 8, 16, 32)

@@ -8,8 +8,8 @@ import pytest
 from scipy.interpolate import CubicSpline, PchipInterpolator, make_interp_spline
 
 import solver
-from tests.commands import run
-from tests.twins import block, start
+from tests.support.fmus.commands import run
+from tests.support.kernel.twins import block, start
 
 POINT = """
 name = "point"

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import scene
+from tests.support.mechanisms.mechanism_runs import scene
 
 SPRING = """
 name = "spring"
@@ -103,7 +103,7 @@ lower = { type = "distance", points = ["A", "B"] }
 """
     stop = 2621.0524300890147
     found = ends(text, ["A.x", "B.x"], stop, stop / 10, **settings)
-    # SciPy's DOP853 at 1e-13, as in tests.exact_motions.double_pendulum_motion, which takes 17 s.
+    # SciPy's DOP853 at 1e-13, as in double_pendulum_motion of exact_motions.py, which takes 17 s.
     exact = [[-0.0693888956038479, -0.20299768050599348]]
     exact += [[-0.07622932992996996, -0.15912985436481772]]
     assert found[-2:] == pytest.approx(np.array(exact), abs=allowed)

@@ -12,7 +12,7 @@ from scipy.special import ellipk, ellipkinc
 import solver
 from build_fmu import build
 from solver import SceneError, SceneWarning
-from tests.fmu_instance import instance
+from tests.support.fmus.fmu_instance import instance
 
 CART_AND_POLE = """
 name = "tiny"

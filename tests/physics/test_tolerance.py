@@ -19,12 +19,12 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from tests.exact_motions import double_pendulum_motion
-from tests.kernel_calls import kernel_of
-from tests.mechanism_runs import scene, steps_explicitly
 from tests.physics.test_high_orders import DRIVEN, FLYING, OSCILLATOR, RESTLESS
-from tests.problems import Array, assemble, double_pendulum
-from tests.twins import block, vector
+from tests.support.kernel.kernel_calls import kernel_of
+from tests.support.kernel.twins import block, vector
+from tests.support.mechanisms.exact_motions import double_pendulum_motion
+from tests.support.mechanisms.mechanism_runs import scene, steps_explicitly
+from tests.support.mechanisms.problems import Array, assemble, double_pendulum
 
 pytestmark = pytest.mark.filterwarnings("ignore:joints do not allow the velocity")  # flying
 

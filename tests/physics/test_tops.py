@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import extrapolated, run, scene, times, vector
-from tests.reduced_models import Array, Top, turn_over_time
+from tests.support.mechanisms.mechanism_runs import extrapolated, run, scene, times, vector
+from tests.support.mechanisms.reduced_models import Array, Top, turn_over_time
 
 NOSE = vector("top.nose")
 NOSE_AT_2_S = (0.03801721, -0.03291846, 0.99873473)

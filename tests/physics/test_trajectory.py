@@ -12,7 +12,7 @@ import build_fmu
 import holonom
 import solver
 from solver.runtime import OptionError
-from tests.twins import PENDULUM, model_of
+from tests.support.kernel.twins import PENDULUM, model_of
 
 
 def run(**arguments):

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 import solver
-from tests.joint_scenes import pair
-from tests.problems import Array, observed_order
-from tests.work_sums import ROUND_OFF, HalfSteps, sums, trapezoids, vector
+from tests.support.mechanisms.joint_scenes import pair
+from tests.support.mechanisms.problems import Array, observed_order
+from tests.support.mechanisms.work_sums import ROUND_OFF, HalfSteps, sums, trapezoids, vector
 
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
 STEPS = pytest.mark.parametrize("h", [0.02, 0.1])

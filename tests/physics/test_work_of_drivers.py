@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import solver
-from tests.mechanism_runs import steps_explicitly
-from tests.problems import Array, observed_order
-from tests.work_sums import ROUND_OFF, trapezoids, vector
+from tests.support.mechanisms.mechanism_runs import steps_explicitly
+from tests.support.mechanisms.problems import Array, observed_order
+from tests.support.mechanisms.work_sums import ROUND_OFF, trapezoids, vector
 
 _PLANE = 'name = "driven"\ndimension = 2\ngravity = [0, -10]\n[solver]\nassemble = true\n'
 _SPACE = 'name = "driven"\ngravity = [0, 0, -10]\n[solver]\nassemble = true\n'

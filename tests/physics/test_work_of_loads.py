@@ -10,8 +10,15 @@ import numpy as np
 import pytest
 
 import solver
-from tests.problems import Array, observed_order
-from tests.work_sums import ROUND_OFF, HalfSteps, middles, sums, trapezoids, vector
+from tests.support.mechanisms.problems import Array, observed_order
+from tests.support.mechanisms.work_sums import (
+    ROUND_OFF,
+    HalfSteps,
+    middles,
+    sums,
+    trapezoids,
+    vector,
+)
 
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
 STEPS = pytest.mark.parametrize("h", [0.02, 0.2])

@@ -22,7 +22,7 @@ import solver
 from build_fmu import build
 from build_fmu.package import chosen_package
 from build_fmu.platforms import PLATFORMS, SCOPES, library_path
-from tests.fmu_instance import SCENES, instance
+from tests.support.fmus.fmu_instance import SCENES, instance
 
 ROOT = Path(__file__).parents[2]
 SCENES_RUN = ["double_pendulum", "four_bar", "bricard", "stewart", "slider_crank_with_clearance"]
@@ -105,7 +105,7 @@ def bits_on(platform: str, host: Path, scene: str, folder: Path) -> list[list[st
 
 def bits_here(scene: str) -> list[list[str]]:
     """Bits of all outputs after each step, in the FMU with Python."""
-    from tests.fmu_instance import scene_fmu
+    from tests.support.fmus.fmu_instance import scene_fmu
 
     h = solver.load(SCENES / f"{scene}.toml").experiment.step_size
     with instance(scene_fmu(scene)) as fmu:

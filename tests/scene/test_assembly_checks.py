@@ -8,7 +8,7 @@ import pytest
 
 import solver
 from solver.scene import SceneError
-from tests.twins import PENDULUM, model_of
+from tests.support.kernel.twins import PENDULUM, model_of
 
 
 def pendulum(angle: float, speed: float, along: float = 0.0) -> str:

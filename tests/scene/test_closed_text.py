@@ -12,10 +12,10 @@ import solver
 from solver.closed_text import files_from
 from solver.scene import SceneError, Source
 from solver.scene.rewriting import tomllib
-from tests.commands import run
-from tests.excavator import DRAWN, SCENE, branches
-from tests.fmu_instance import SCENES
-from tests.straight_arm import arm
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES
+from tests.support.mechanisms.excavator import DRAWN, SCENE, branches
+from tests.support.mechanisms.straight_arm import arm
 
 
 def start(text: str, **reading) -> solver.Integrator:

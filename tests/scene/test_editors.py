@@ -13,7 +13,7 @@ import pytest
 from build_fmu.commands import watch
 from solver.scene import json_schema, load, loads
 from solver.scene.fields import Quantity
-from tests.commands import run
+from tests.support.fmus.commands import run
 
 ROOT = Path(__file__).parents[2]
 SCENES = sorted([*ROOT.glob("scenes/*.toml"), *ROOT.glob("examples/*.toml")])

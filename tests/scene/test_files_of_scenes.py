@@ -9,7 +9,7 @@ import pytest
 
 import solver
 from solver.scene import SceneError
-from tests.scene_files import SCENES
+from tests.support.mechanisms.scene_files import SCENES
 
 CUBE = """
 v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1

@@ -8,7 +8,7 @@ import pytest
 
 from solver.scene import SceneError, loads, parse
 from solver.scene.fields import shown
-from tests.short_scene import SHORT
+from tests.support.mechanisms.short_scene import SHORT
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from solver.scene.positions import lines_of, lines_of_json
 from solver.scene.report import location_of, path_of
-from tests.nested_data import paths_of
-from tests.scene_files import ALL
+from tests.support.mechanisms.nested_data import paths_of
+from tests.support.mechanisms.scene_files import ALL
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -13,7 +13,7 @@ from build_fmu.run import run_fmu
 from solver.options import OPTIONS, REMOVED
 from solver.scene import SceneError
 from solver.trajectory import PAPER
-from tests.fmu_instance import scene_fmu
+from tests.support.fmus.fmu_instance import scene_fmu
 
 SCENE = Path(__file__).resolve().parents[2] / "scenes" / "double_pendulum.toml"
 LEFT = "the setting '{}' left in version 2.0: "

@@ -20,8 +20,8 @@ from solver.scene import (
     loads,
     parse,
 )
-from tests.scene_files import ALL
-from tests.short_scene import SHORT
+from tests.support.mechanisms.scene_files import ALL
+from tests.support.mechanisms.short_scene import SHORT
 
 if sys.version_info >= (3, 11):
     import tomllib

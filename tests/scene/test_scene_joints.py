@@ -55,7 +55,7 @@ from solver.scene import (
     parse,
 )
 from solver.scene.scene import TYPES
-from tests.scene_quantities import quantities_of
+from tests.support.mechanisms.scene_quantities import quantities_of
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 import build_fmu
 from solver import SceneError, SceneWarning, load, loads, simulate
-from tests.commands import run
-from tests.scene_files import ALL
+from tests.support.fmus.commands import run
+from tests.support.mechanisms.scene_files import ALL
 
 ROOT = Path(__file__).parents[2]
 GOOD = [*ALL, *ROOT.glob("examples/*.toml")]

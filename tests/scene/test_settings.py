@@ -13,7 +13,7 @@ from solver import options
 from solver.runtime.model_writing import stored
 from solver.scene import SceneError, SolverSettings
 from solver.scene.fields import fields_of
-from tests.twins import PENDULUM
+from tests.support.kernel.twins import PENDULUM
 
 
 def test_what_the_scene_file_leaves_out_is_the_default():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.fmu_instance import SCENES
+from tests.support.fmus.fmu_instance import SCENES
 
 MOVED = """
 name = "moved"

@@ -11,7 +11,7 @@ import pytest
 import solver
 from solver.scene import SceneError
 from solver.scene.draft import MOST
-from tests.nested_data import paths_of
+from tests.support.mechanisms.nested_data import paths_of
 
 if sys.version_info >= (3, 11):
     import tomllib

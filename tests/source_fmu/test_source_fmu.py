@@ -20,8 +20,8 @@ from build_fmu.fmu_runner import FmuRunner
 from build_fmu.package import chosen_package
 from build_fmu.source_package import functions
 from build_kernel.compiler import system_compiler
-from tests.commands import run as command
-from tests.fmu_instance import SCENES, instance
+from tests.support.fmus.commands import run as command
+from tests.support.fmus.fmu_instance import SCENES, instance
 
 HERE, NATIVE = Path(__file__).parent, Path(__file__).parents[2] / "fmu_src" / "native"
 STEPS = 60

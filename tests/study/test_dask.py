@@ -14,8 +14,8 @@ from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study import dask_workers
 from build_fmu.study.engines import engine_of
 from build_fmu.study.processes import DIED, Task, together
-from tests.ending_jobs import FATAL, lost, slow, square
-from tests.fmu_instance import pendulum
+from tests.support.fmus.ending_jobs import FATAL, lost, slow, square
+from tests.support.fmus.fmu_instance import pendulum
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")

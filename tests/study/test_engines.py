@@ -14,8 +14,8 @@ import pytest
 from build_fmu.errors import UsageError
 from build_fmu.study.engines import engine_of
 from build_fmu.study.processes import DIED, Task
-from tests.ending_jobs import FATAL, lost, square
-from tests.hanging import wait_until
+from tests.support.fmus.ending_jobs import FATAL, lost, square
+from tests.support.hanging import wait_until
 
 
 @pytest.mark.parametrize("engine", ["auto", "serial", "processes:2"])
@@ -91,7 +91,7 @@ def refuse(_shared: int, _job: int) -> None:
 UNGUARDED = """
 from build_fmu.study.engines import engine_of
 from build_fmu.study.processes import Task
-from tests.ending_jobs import lost, square
+from tests.support.fmus.ending_jobs import lost, square
 list(engine_of("processes:2")(Task(square, 0, lost), range(4)))
 """
 

@@ -13,8 +13,8 @@ from fmpy import read_model_description
 import build_fmu
 from build_fmu.errors import UsageError
 from solver.scene import load
-from tests.commands import run
-from tests.fmu_instance import SCENES
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES
 
 PENDULUM = SCENES / "double_pendulum.toml"
 NAMED_LIKE_COLUMNS = """

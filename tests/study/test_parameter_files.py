@@ -14,8 +14,8 @@ from build_fmu import build
 from build_fmu.run import run_fmu
 from build_fmu.study.parameter_files import entries_of_files
 from build_fmu.study.ssv import COMMON, VALUES
-from tests.commands import run
-from tests.fmu_instance import SCENES, pendulum
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, pendulum
 
 PENDULUM = SCENES / "double_pendulum.toml"
 SCHEMA = Path(fmpy.__file__).parent / "ssp" / "schema" / "SystemStructureParameterValues.xsd"

@@ -11,9 +11,9 @@ import build_fmu
 from build_fmu.errors import EnvironmentLackError, UnfinishedError
 from build_fmu.study import variants as variants_module
 from build_fmu.study.processes import DIED
-from tests.commands import run
-from tests.crashing_runs import crashing_export
-from tests.fmu_instance import SCENES
+from tests.support.fmus.commands import run
+from tests.support.fmus.crashing_runs import crashing_export
+from tests.support.fmus.fmu_instance import SCENES
 
 PENDULUM = SCENES / "double_pendulum.toml"
 FOREIGN = '<ssv:ParameterSet generationTool="mine"/>'

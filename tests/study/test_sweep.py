@@ -11,7 +11,7 @@ import build_fmu
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.run import run_fmu
 from build_fmu.study.plan import Plan
-from tests.fmu_instance import PENDULUM, SCENES, pendulum, scene_fmu, text_fmu
+from tests.support.fmus.fmu_instance import PENDULUM, SCENES, pendulum, scene_fmu, text_fmu
 
 GRID = {"length": [0.5, 1.0], "mass": [1.0, 2.0, 3.0]}
 OUTPUTS = ("A.x", "energy.error")

@@ -11,10 +11,10 @@ import pytest
 
 import build_fmu
 from build_fmu.study import dask_workers
-from tests.commands import run
-from tests.fmu_instance import pendulum, text_fmu
 from tests.physics.test_order_limits import LIMITED, text
 from tests.study.test_sweep import GRID, OUTPUTS
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import pendulum, text_fmu
 
 
 def lines(path) -> list[dict[str, str]]:

@@ -19,8 +19,8 @@ from build_fmu.errors import UsageError
 from build_fmu.study import sweep as sweep_module
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.stores import store_for
-from tests.fmu_instance import pendulum
 from tests.study.test_sweep import BROKEN, GRID, OUTPUTS
+from tests.support.fmus.fmu_instance import pendulum
 
 KINDS = ["csv", *(["h5"] if importlib.util.find_spec("h5py") else [])]
 ARGUMENTS = {"grid": GRID, "outputs": OUTPUTS, "engine": "serial"}

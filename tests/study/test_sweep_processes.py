@@ -19,9 +19,9 @@ from build_fmu.study import stores
 from build_fmu.study import sweep as sweep_module
 from build_fmu.study.csv_file import cell
 from build_fmu.study.processes import DIED
-from tests.crashing_runs import FATAL, crashing
-from tests.fmu_instance import pendulum
-from tests.hanging import HANGS, wait_until
+from tests.support.fmus.crashing_runs import FATAL, crashing
+from tests.support.fmus.fmu_instance import pendulum
+from tests.support.hanging import HANGS, wait_until
 
 pytestmark = pytest.mark.usefixtures("interruptible")
 

@@ -8,8 +8,8 @@ import json
 import pytest
 
 from build_fmu import build
-from tests.commands import run
-from tests.fmu_instance import SCENES, scene_fmu
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
 
 PENDULUM = SCENES / "double_pendulum.toml"
 

@@ -25,8 +25,8 @@ from numpy.typing import NDArray
 
 import solver
 from build_fmu.command_line import main
-from tests.excavator import BODIES, drawn_pose, farthest
-from tests.straight_arm import arm
+from tests.support.mechanisms.excavator import BODIES, drawn_pose, farthest
+from tests.support.mechanisms.straight_arm import arm
 from tests.truth.minimal import Body, Number, Parts, cos, motion, sin
 from tests.truth.system import BEYOND_TOLERANCE, BY_DEFAULT
 

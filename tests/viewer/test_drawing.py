@@ -14,9 +14,9 @@ from hypothesis import given, settings
 import solver
 from solver.mechanics import assemble_parts
 from solver.scene import SceneWarning, loads
-from tests.fmu_instance import SCENES, scene_fmu
-from tests.random_mechanisms import driven_systems
-from tests.scene_files import ALL
+from tests.support.fmus.fmu_instance import SCENES, scene_fmu
+from tests.support.mechanisms.random_mechanisms import driven_systems
+from tests.support.mechanisms.scene_files import ALL
 from viewer.drawing import drawing
 from viewer.faces import faces_of
 from viewer.picture import picture

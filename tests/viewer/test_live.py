@@ -17,8 +17,8 @@ import pytest
 
 from build_fmu.reporting import Carried
 from build_fmu.stepping import SteppedFmu
-from tests.commands import run
-from tests.hanging import HANGS
+from tests.support.fmus.commands import run
+from tests.support.hanging import HANGS
 from tests.viewer.conftest import ROOT, scene
 from viewer.live import BUSY, GRACE, LAG, RATE, SPEEDS, Session, StoppedError, live_page
 from viewer.live_server import Server

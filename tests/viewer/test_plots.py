@@ -11,8 +11,8 @@ import pytest
 
 import solver
 from solver.runtime import OptionError
-from tests.commands import run
-from tests.fmu_instance import SCENES
+from tests.support.fmus.commands import run
+from tests.support.fmus.fmu_instance import SCENES
 from viewer import plots
 
 PENDULUM = SCENES / "double_pendulum.toml"

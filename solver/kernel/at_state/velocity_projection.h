@@ -31,7 +31,7 @@ HM_SELDOM static void find_defect(const context *c)
     velocities_for(c, c->k.hit_defect);
 }
 
-HM_SELDOM static void add_defect(const context *c, double sign)
+HM_SELDOM static void add_defect(context *c, double sign)
 {
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
 }

@@ -130,7 +130,7 @@ static int32_t solve_choices(context *c, int parity, int at_once)
     const int are_many = !at_once && n_near(c) > FEW_NEAR;
     for (int choice = 0; choice < MOST_CHOICES; choice++) {
         objections x = {0, 0, NONE_CHANGES, at_once};
-        c->factors_h = 0.0;
+        c->kept_factors.h = 0.0;
         int32_t status = solve_step(c, parity), solved = status;
         if (status && !may_choose_anew(status)) return status;
         if (status && together < 2 && stop_together(c, together++)) continue;
@@ -155,19 +155,12 @@ static int32_t solve_choices(context *c, int parity, int at_once)
     return HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* Sets contacts and frictions back to what they were at the start of the half step; their sections are neighbours. */
-static void take_modes_back(context *c)
-{
-    const size_t bytes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
-    memcpy(c->s.contacts, c->k.stepped_backup + (c->s.contacts - c->s.head), bytes);
-}
-
 /* First stage. Slips that stop do so within the half step or, where no choice agrees, at its start. */
 static int32_t solve_contacts(context *c, int parity)
 {
     int32_t status = HOLONOM_CONTACT_UNDECIDED;
     for (int at_once = 0; at_once < 2 && may_choose_anew(status); at_once++) {
-        if (at_once) take_modes_back(c);
+        if (at_once) take_section(c, c->s.contacts, c->s.n_modes, c->k.stepped_backup);
         begin_choice(c, c->h);
         status = solve_choices(c, parity, at_once);
         if (!c->m->n_frictions) break;

@@ -118,7 +118,7 @@ HM_SELDOM static void evaluate_state(context *c)
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t, 1);
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
-    c->factors_h = 0.0; /* factors of a step do not outlast what follows */
+    c->kept_factors.h = 0.0; /* factors of a step do not outlast what follows */
 }
 
 /* Blames the closed contact that is pressed most, by the means of the last half step; none if all are open. */
@@ -135,7 +135,7 @@ HM_SELDOM static void blame_hardest(context *c)
 
 /* ------------------------------------------------------------------------------------------ modes */
 
-HM_SELDOM static void let_stick(const context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
+HM_SELDOM static void let_stick(context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
 
 HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
 {
@@ -186,7 +186,7 @@ HM_SELDOM static int32_t evaluate_forces(context *c)
     return status;
 }
 
-HM_SELDOM static void open_contact(const context *c, int32_t i)
+HM_SELDOM static void open_contact(context *c, int32_t i)
 {
     const int32_t f = c->m->contact_friction[i];
     contact_of(c, i)[C_CLOSED] = 0.0;
@@ -194,7 +194,7 @@ HM_SELDOM static void open_contact(const context *c, int32_t i)
 }
 
 /* Lets go all that contacts and frictions hold, as an impact asks for. */
-HM_SELDOM static void open_all(const context *c)
+HM_SELDOM static void open_all(context *c)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
     for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
@@ -339,7 +339,7 @@ HM_SELDOM static int hold_still(context *c)
 
 /* Turns slips of several rates that are about to begin towards the way in which they grow; 0 if they begin so. With a
    stiffness of more than half of that of the rows, a step to the friction that stops the slip and back to the cone converges. */
-HM_SELDOM static int turn_beginning_slips(const context *c)
+HM_SELDOM static int turn_beginning_slips(context *c)
 {
     int turned = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {

@@ -51,7 +51,7 @@ static int32_t find_modes_by_law(context *c, int begun)
             slides[k] = 1;
             for (int32_t a = 0; a < x.tangents[k]; a++) way[x.first[k] + 1 + a] = along[a];
         } else if (f >= 0)
-            x.coefficient[k] = c->number[m->static_at + f] * (c->gives_way ? 1.0 - WELL_INSIDE : 1.0);
+            x.coefficient[k] = c->number[m->static_at + f] * (c->event.gives_way ? 1.0 - WELL_INSIDE : 1.0);
     }
     const int32_t rows = x.law.rows;
     int32_t status = evaluate_forces(c);
@@ -61,7 +61,7 @@ static int32_t find_modes_by_law(context *c, int begun)
     for (int32_t k = 0; k < x.law.contacts && !status; k++)
         for (int32_t r = x.law.first[k]; r <= x.law.first[k] + x.law.tangents[k] && !status; r++) {
             memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-            status = r == x.law.first[k] ? add_push(c, x.contact[k], -AT_STATE) : add_row_gradient(c, x.row[r], -AT_STATE);
+            status = r == x.law.first[k] ? add_push(c, x.contact[k], -1.0) : add_row_gradient(c, x.row[r], -1.0);
             velocities_of_impulses(c, c->k.hit_reach + n * r);
         }
     if (!status) status = fill_matrix(c, rows, x.row, x.W);
@@ -102,7 +102,7 @@ static int32_t agree_with_forces(context *c)
         if (how == GIVE_WAY && (status = find_modes_by_law(c, together))) return status;
         together |= how >= GIVE_WAY;
         if (how >= GIVE_WAY || (how == NOT_TOGETHER && (tear_loose(c) || open_worst(c, none) || slide_worst(c, none)))) continue;
-        if (turn_back(c) || close_worst(c) || (together && !c->gives_way && hold_still(c))) continue;
+        if (turn_back(c) || close_worst(c) || (together && !c->event.gives_way && hold_still(c))) continue;
         if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
         change--;
     }
@@ -130,7 +130,7 @@ static int32_t settle_modes(context *c)
     }
     if (!status) status = start_with_modes(c);
     if (!status) status = share_means(c);
-    c->gives_way = 0;
+    c->event.gives_way = 0;
     return status;
 }
 

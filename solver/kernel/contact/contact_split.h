@@ -229,7 +229,7 @@ HM_SELDOM static double forces_to_split(const context *c, const shared_forces *x
     return size;
 }
 
-HM_SELDOM static void forget_shares(const context *c)
+HM_SELDOM static void forget_shares(context *c)
 {
     if (!has_shares(c)) return;
     c->s.head[S_SHARES] = 0.0;
@@ -248,7 +248,7 @@ HM_SELDOM static int32_t add_reshare(const context *c, const shared_forces *x, d
             const int32_t at = x->first[k] + (x->tangents[k] ? u - x->unit[k] + is_joint : 0);
             const double force = x->ray[u] * (size * s->force[at] - x->p[at]) / sqrt(x->weight[at]);
             mu[row_of(c, x->row[u])] -= force;
-            status = add_row_gradient(c, x->row[u], -AT_STATE * force);
+            status = add_row_gradient(c, x->row[u], -force);
         }
     }
     if (status) return status;
@@ -260,7 +260,7 @@ HM_SELDOM static int32_t add_reshare(const context *c, const shared_forces *x, d
 /* Whether there is a split, that of well inside the cones if there is one. */
 HM_SELDOM static int is_held_together(const context *c, const rest_split *s)
 {
-    return has_split(s, 1.0 - WELL_INSIDE) || (!c->gives_way && has_split(s, 1.0 + CONE_MARGIN));
+    return has_split(s, 1.0 - WELL_INSIDE) || (!c->event.gives_way && has_split(s, 1.0 + CONE_MARGIN));
 }
 
 /* Lets half steps to come share forces as a split of those that the means of multipliers tell, if it is there. */
@@ -399,9 +399,9 @@ HM_SELDOM static int32_t try_together(context *c, shared_forces *x, enum togethe
    coefficients with which they would hold; else frictions of joints slide that give way. */
 HM_SELDOM static int32_t hold_together(context *c, enum togetherness *how, double *load)
 {
-    const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
+    const size_t modes = sizeof(double) * (size_t)c->s.n_modes;
     const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
-    double *kept = c->k.rest_modes, *w = kept + C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions;
+    double *kept = c->k.rest_modes, *w = kept + c->s.n_modes;
     shared_forces x = map_shared(c);
     *how = NOT_TOGETHER;
     if (!collect_shared(c, &x) || torn_loose(c, NULL) >= 0) return HOLONOM_OK; /* forces at hand do not hold: no others with the same sum do */

@@ -45,7 +45,7 @@ static void wake_all(context *c)
 }
 
 /* Sets the travel to that of the state `start` and what has moved since then. */
-static void follow_travel(const context *c, const double *start)
+static void follow_travel(context *c, const double *start)
 {
     double *head = c->s.head, most2 = 0.0;
     const double *q0 = start + (c->s.q - head), extent = c->number[c->m->extent_at];

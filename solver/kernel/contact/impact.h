@@ -15,7 +15,7 @@ static int32_t find_reach(const context *c, int32_t row, int64_t r)
 {
     const int64_t n = DIM * c->n_moving;
     memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-    const int32_t status = row >= 0 ? add_row_gradient(c, row, -AT_STATE) : HOLONOM_OK;
+    const int32_t status = row >= 0 ? add_row_gradient(c, row, -1.0) : HOLONOM_OK;
     velocities_of_impulses(c, c->k.hit_reach + n * r);
     return status;
 }
@@ -111,7 +111,7 @@ static int approaches(const context *c, const hit *x)
 }
 
 /* Solves the law of impact, and counts what a user may want to know of it; returns 0, or 1 if no impulses were found. */
-static int solve_hit(const context *c, hit *x)
+static int solve_hit(context *c, hit *x)
 {
     if (hm_solve_impact(&x->law)) return 1;
     c->s.head[S_JAMS] += x->law.jam != 0;
@@ -128,7 +128,7 @@ HM_SELDOM static int32_t apply_impulses(context *c, const hit *x, double kinetic
     memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t r = 0; r < x->law.rows && !status; r++) {
         const double p = x->law.impulse[r];
-        if (x->row[r] >= 0) status = add_row_gradient(c, x->row[r], -AT_STATE * p);
+        if (x->row[r] >= 0) status = add_row_gradient(c, x->row[r], -p);
     }
     if (status) return status;
     velocities_of_impulses(c, c->k.w);

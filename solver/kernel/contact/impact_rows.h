@@ -11,13 +11,13 @@ HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double fa
 {
     composite_result result = {0.0, 0.0, 0.0};
     context still = *c;
-    still.h = AT_STATE;
+    still.h = 1.0;
     const int32_t status = composite_slopes(&still, j, SLOPES_ALONE, &result);
     if (!status) add_slopes(c, j, factor);
     return status;
 }
 
-/* Velocities x (n, overwritten) that impulses in `momentum`, times -sqrt 2, bring about; those of the rows are in mu. */
+/* Velocities x (n, overwritten) that impulses, `momentum` with the other sign, bring about; those of the rows are in mu. */
 HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
 {
     memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);

@@ -112,7 +112,7 @@ static double part_taken_out(const hit *x, double taken)
 
 /* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone would give back more than was taken, the
    same part of all of them goes. Where none `lands` all of them go.                                               */
-static void take_out(const context *c, const hit *x, double taken, int lands)
+static void take_out(context *c, const hit *x, double taken, int lands)
 {
     const int32_t n = x->law.rows;
     double part = lands ? part_taken_out(x, taken) : 0.0;
@@ -154,7 +154,7 @@ static int32_t land(context *c, int32_t island)
 {
     const int lands = island_has(c, island, LANDS);
     const double before = booked(c, S_IMPACT);
-    const size_t modes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
+    const size_t modes = sizeof(double) * (size_t)c->s.n_modes;
     double taken, rubbed;
     hit x;
     map_hit(c, &x);
@@ -270,7 +270,7 @@ static int tear_loose_in_step(context *c)
 }
 
 /* Adds to velocities that stop, whose impulses are in mu, those with which contacts that land among many part. */
-static void add_parting(const context *c, double *stop)
+static void add_parting(context *c, double *stop)
 {
     const int32_t n = DIM * c->n_moving, rows = c->m->n_rows;
     double *part = c->k.free, lost = -mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop), given = 0.0, all = 0.0;

@@ -83,7 +83,7 @@ HM_SELDOM static double slope_at_start(const context *c, int32_t i, double step)
 }
 
 /* Cubic of a smooth input in a step, from its slope at present to that at the end. */
-HM_SELDOM static void bend_input(const context *c, int32_t i, double step)
+HM_SELDOM static void bend_input(context *c, int32_t i, double step)
 {
     const double mean = mean_slope(c, i, step), first = c->s.inputs_slope[i], last = slope_at_end(c, i, step);
     c->s.inputs_bend[i] = (3.0 * mean - 2.0 * first - last) / step;
@@ -164,7 +164,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     open_context(&c, m, number, state, work);
     c.watch = watch;
     c.mesh = mesh;
-    c.pause = 1e-9 * step;
+    c.switches.pause = 1e-9 * step;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */

@@ -52,19 +52,19 @@ static double longest_next(const context *c, double time)
    that spins steadily, which is exact there, and not in half steps. */
 static double length_for(const context *c, const method *x, const step_error *e)
 {
-    const int is_explicit = x->way == EXPLICIT;
+    const int is_explicit = x->kind == EXPLICIT;
     const double rate = is_explicit ? e->free : e->rate;
-    const double may = SAFETY * tolerated(c) / (c->growth * x->mean * rate * c->s.head[S_HORIZON]);
+    const double may = SAFETY * tolerated(c) / (c->last.growth * x->mean * rate * c->s.head[S_HORIZON]);
     const double h = fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
-    if (is_explicit) return fmin(h, fmin(c->longest_put_back, longest_now(c, x->order) / STRETCHED));
-    return c->way == EXPLICIT ? fmin(h, LITTLE_TURN / hm_hypot(rate, fastest_turn(c))) : h;
+    if (is_explicit) return fmin(h, fmin(c->last.longest_put_back, longest_now(c, x->order) / STRETCHED));
+    return c->last.method == EXPLICIT ? fmin(h, LITTLE_TURN / hm_hypot(rate, fastest_turn(c))) : h;
 }
 
 /* Cost of a step in increments of Newton's iteration: each half step has some where the motion turns by so much in a step, and
    a beginning and an end that take as long as two; a stage takes as long as four. Dampers settle within long covers. */
 static double cost_of(const method *x, double turned)
 {
-    return x->solutions * (x->way == EXPLICIT ? 4.0 : x->way == COVERED ? 4.0 + 4.0 * turned : 3.0 + 1.5 * turned);
+    return x->solutions * (x->kind == EXPLICIT ? 4.0 : x->kind == COVERED ? 4.0 + 4.0 * turned : 3.0 + 1.5 * turned);
 }
 
 /* Whether nothing has a mass, which would measure errors. */
@@ -77,11 +77,11 @@ static int takes_explicit(const context *c) { return c->s.head[S_METHOD] != 0.0 
 static int may_take(const context *c, const method *x, const step_error *e)
 {
     const int asked = (int)c->s.head[S_ORDER];
-    if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) > SHORTER * longest_cover(c))) return 0;
+    if (asked && x->order != asked && !(x->kind == COMPOSED && length_for(c, method_of(asked, 0), e) > SHORTER * longest_cover(c))) return 0;
     if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
-    if (x->way == EXPLICIT) return takes_explicit(c);
-    if (c->way == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
-    return x->way == COMPOSED || !is_massless(c);
+    if (x->kind == EXPLICIT) return takes_explicit(c);
+    if (c->last.method == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
+    return x->kind == COMPOSED || !is_massless(c);
 }
 
 /* Order and length of the steps to come, for the least cost of a communication step of length `step`. */
@@ -91,16 +91,16 @@ static void choose_method(context *c, const step_error *e, double step)
     const method *present = method_of((int)head[S_ORDER_IN_USE], head[S_EXPLICIT] != 0.0), *best = present;
     for (const method *x = METHODS; x < METHODS + N_METHODS; x++) {
         if (!may_take(c, x, e)) continue;
-        const double n = steps_over(c, step, STRETCHED * fmin(length_for(c, x, e), x->way == COVERED ? longest_cover(c) : INFINITY));
+        const double n = steps_over(c, step, STRETCHED * fmin(length_for(c, x, e), x->kind == COVERED ? longest_cover(c) : INFINITY));
         const double cost = n * cost_of(x, e->rate * step / n) * (x == present ? PRESENT : 1.0);
         if (!(cost < least)) continue;
         least = cost;
         best = x;
-        if (x->way == COMPOSED && n == 1.0) break; /* nothing costs less than one pair */
+        if (x->kind == COMPOSED && n == 1.0) break; /* nothing costs less than one pair */
     }
-    if (best == present && head[S_EXPLICIT] == (best->way == EXPLICIT) && (c->way == best->way || c->unweighted)) return;
+    if (best == present && head[S_EXPLICIT] == (best->kind == EXPLICIT) && (c->last.method == best->kind || c->last.finest)) return;
     head[S_ORDER_IN_USE] = best->order;
-    head[S_EXPLICIT] = best->way == EXPLICIT;
+    head[S_EXPLICIT] = best->kind == EXPLICIT;
     head[S_WANTED] = length_for(c, best, e);
 }
 
@@ -113,7 +113,7 @@ static void begin_control(context *c)
     const double asked = head[S_ORDER], rate = hm_hypot(rate_of_motion(c), head[S_WANTED] > 0.0 ? 0.0 : rate_of_springs(c));
     const int may_be_explicit = may_step_explicitly(c), is_new = head[S_ORDER_IN_USE] == 0.0;
     c->damped = is_dissipative(c);
-    c->longest_put_back = INFINITY;
+    c->last.longest_put_back = INFINITY;
     /* Pairs may be of any length: springs are looked at again where other steps come up. */
     const int are_pairs = head[S_ORDER_IN_USE] == 2.0 && head[S_EXPLICIT] == 0.0;
     if (may_be_explicit && !ends_explicitly(c) && !are_pairs) find_longest(c);
@@ -137,7 +137,7 @@ static int judge_step(context *c, double h, double step)
 {
     double *head = c->s.head;
     step_error e = {0};
-    const int found = c->unweighted ? 2 : (int)head[S_ORDER_IN_USE], is_explicit = c->way == EXPLICIT;
+    const int found = c->last.finest ? 2 : (int)head[S_ORDER_IN_USE], is_explicit = c->last.method == EXPLICIT;
     const int judged = estimate_error(c, h, &e);
     const double defect = is_explicit ? 0.0 : velocity_defect(c, h);
     const double across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
@@ -148,11 +148,11 @@ static int judge_step(context *c, double h, double step)
     if (judged && e.is_noise) share = fmin(share, SAFETY);
     share = fmax(fmax(share, e.settled / tolerated(c)), across);
     /* Where a mechanism almost stands, little energy is much velocity. */
-    if (c->way != COMPOSED && !c->unweighted && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
-        share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
+    if (c->last.method != COMPOSED && !c->last.finest && !is_noise(c, ENERGY_ROUND_OFF, c->last.energy_correction, h))
+        share = fmax(share, c->last.energy_correction * head[S_HORIZON] / (h * tolerated(c)));
     const double change = share * (double)(1 << found) > SAFETY ? hm_pow(SAFETY / share, 1.0 / found) : 2.0;
     head[S_WANTED] = h * fmax(change, SHORTEST);
-    if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
+    if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->last.longest_put_back);
     if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
     head[S_ERROR_ESTIMATE] += share * h * tolerated(c) / head[S_HORIZON];
     if (judged) head[S_LAST_RATE] = e.rate;
@@ -199,7 +199,7 @@ static int try_piece(context *c, piece *x, double step)
 static void repeat_shorter(context *c, const piece *x, double law_time)
 {
     double *head = c->s.head;
-    const double wanted = x->status ? c->shorter * x->length : head[S_WANTED];
+    const double wanted = x->status ? c->last.shorter * x->length : head[S_WANTED];
     undo_step(c, x->t, law_time);
     head[S_WANTED] = wanted;
     if (!x->status) return;
@@ -237,8 +237,8 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             if (is_unilateral(c->m) && may_step_over(failed)) return step_over(c, failed, start, done, step);
             return failed ? failed : HOLONOM_STEP_COLLAPSED;
         }
-        c->unweighted = 0;
-        c->shorter = 0.5;
+        c->last.finest = 0;
+        c->last.shorter = 0.5;
         c->damped = is_dissipative(c);
         status = is_unilateral(c->m) ? stop_before(c, &x.length) : HOLONOM_OK;
         if (!status) status = stop_at_switch(c, &x, rest, step);
@@ -331,11 +331,11 @@ static int32_t cover_evenly(context *c, double start, double step)
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
-        c->unweighted = 0;
+        c->last.finest = 0;
         status = c->m->switching ? cover_between_switches(c, c->t, h, step) : step_halving(c, h, UNDIVIDED);
         if (!status) follow_coarseness(c, h);
     }
-    if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
+    if (c->last.finest) head[S_ORDER_IN_USE] = 2.0;
     return status;
 }
 

@@ -29,7 +29,7 @@
 
 /* A step of order p. */
 typedef struct method {
-    enum way way;
+    enum method_kind kind;
     int order;         /* p                                                                                   */
     double lower;      /* r                                                                                   */
     double rate, mean; /* omega h over e^(1/(r+1)), and error over (omega h)^(p+1): means over mechanisms      */
@@ -57,7 +57,7 @@ static const method *method_of(int order, int is_explicit)
 {
     const method *found = METHODS;
     for (const method *x = METHODS; x < METHODS + N_METHODS; x++)
-        if (x->order == order && (x->way != EXPLICIT || is_explicit)) found = x;
+        if (x->order == order && (x->kind != EXPLICIT || is_explicit)) found = x;
     return found;
 }
 
@@ -70,7 +70,7 @@ static inline double square_of_turn(const double *rate)
 }
 
 /* Rate of change of the mean acceleration of pairs (in estimate); 0 where nothing tells it yet. */
-static int find_rate_of_pairs(const context *c, double h)
+static int find_rate_of_pairs(context *c, double h)
 {
     const int64_t n = DIM * c->n_moving;
     double *const *a = c->s.a, *const *before = c->s.a_before;
@@ -83,7 +83,7 @@ static int find_rate_of_pairs(const context *c, double h)
 }
 
 /* The difference for a pair. */
-static int difference_of_pairs(const context *c, double h, double *difference)
+static int difference_of_pairs(context *c, double h, double *difference)
 {
     if (!find_rate_of_pairs(c, h)) return 0;
     const double of_rate = error_norm(c, c->k.estimate), speed = error_norm(c, c->s.v);
@@ -92,7 +92,7 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     return 1;
 }
 
-static void judge_coarseness(const context *c, double h, double over)
+static void judge_coarseness(context *c, double h, double over)
 {
     if (over <= c->s.head[S_COARSENESS]) return;
     c->s.head[S_COARSENESS] = over;
@@ -109,7 +109,7 @@ static double way_of(const context *c, int32_t a)
 
 /* Largest change of acceleration of a place (x[0]) and of a body's turn (x[1]) among free nodes. An error where a path bends sharply
    turns all of the path, and so counts by half its reach over that bend's radius, v^1.5/rate^0.5. */
-static void largest_rates(const context *c, const double *rate, double *x)
+static void largest_rates(context *c, const double *rate, double *x)
 {
     double *reach = c->s.head + S_REACH;
     x[0] = x[1] = 0.0;
@@ -127,7 +127,7 @@ static void largest_rates(const context *c, const double *rate, double *x)
 }
 
 /* Looks at an equal step of length h, number `look` of those in a row. */
-HM_SELDOM static void look_at_step(const context *c, double h, double look)
+HM_SELDOM static void look_at_step(context *c, double h, double look)
 {
     double *head = c->s.head, x[2];
     const int is_known = find_rate_of_pairs(c, h); /* not after a jump */
@@ -146,7 +146,7 @@ HM_SELDOM static void look_at_step(const context *c, double h, double look)
     judge_coarseness(c, h, hm_error_of_path(head, c->number[c->m->extent_at], head[S_EQUAL_STEPS]) / MOST_OF_THE_PATH);
 }
 
-HM_SELDOM static void turn_further(const context *c, double h, int32_t node, double square)
+HM_SELDOM static void turn_further(context *c, double h, int32_t node, double square)
 {
     c->s.head[S_TURNED] = square;
     c->s.head[S_TURNING] = node;
@@ -154,7 +154,7 @@ HM_SELDOM static void turn_further(const context *c, double h, int32_t node, dou
 }
 
 /* Takes from an equal step of length h, which is over, how long it was for the motion. */
-HM_OFTEN void follow_coarseness(const context *c, double h)
+HM_OFTEN void follow_coarseness(context *c, double h)
 {
     double *head = c->s.head;
     for (int32_t b = 0; b < n_bodies(c->m); b++) {
@@ -196,33 +196,32 @@ static int is_noise(const context *c, double round_off, double difference, doubl
 }
 
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
-static int estimate_error(const context *c, double h, step_error *e)
+static int estimate_error(context *c, double h, step_error *e)
 {
     const int order = (int)c->s.head[S_ORDER_IN_USE];
-    const method *used = method_of(order, c->way == EXPLICIT), *pair = METHODS;
-    const int64_t n = DIM * c->n_moving;
-    const double *x = c->k.estimate + (c->unweighted ? 0 : 2 * n);
+    const method *used = method_of(order, c->last.method == EXPLICIT), *pair = METHODS;
+    const double *x = c->k.estimate + (c->last.finest ? 0 : c->s.n_motion);
     double difference;
-    if (c->way == EXPLICIT) difference = c->difference;
-    else if (c->way == COVERED) difference = relative_size(c, error_norm(c, x), error_norm(c, x + n));
+    if (c->last.method == EXPLICIT) difference = c->last.difference;
+    else if (c->last.method == COVERED) difference = motion_error(c, x);
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     e->is_noise = is_noise(c, used->round_off, difference, h);
-    if (c->unweighted) { /* the end that was not taken tells the error of the one that was, after so many pairs */
+    if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after so many pairs */
         e->mean = difference;
-        e->rate = e->free = hm_pow(difference * c->unweighted * c->unweighted / pair->mean, 1.0 / 3.0) / h;
+        e->rate = e->free = hm_pow(difference * c->last.finest * c->last.finest / pair->mean, 1.0 / 3.0) / h;
         return 1;
     }
-    const double part = c->way == EXPLICIT ? c->free_part : 1.0, root = 1.0 / (used->lower + 1.0);
+    const double part = c->last.method == EXPLICIT ? c->last.free_part : 1.0, root = 1.0 / (used->lower + 1.0);
     const double turned = used->rate * hm_pow(difference, root), freed = part == 1.0 ? turned : used->rate * hm_pow(part * difference, root);
     e->free = freed / h;
     e->rate = turned / h;
-    if (c->way == EXPLICIT) e->rate = fmax(e->rate, mass_norm(c, c->s.a[0]) / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
+    if (c->last.method == EXPLICIT) e->rate = fmax(e->rate, mass_norm(c, c->s.a[0]) / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
     e->mean = used->mean * (order == 2 ? freed * freed * freed : hm_pow(freed, order + 1));
     const double before_it = c->s.head[S_LAST_RATE];
     const int is_settled = has_strong_dampers(c);
-    const int is_slaved = c->way != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
-    if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
-        const double before = relative_size(c, error_norm(c, x + 2 * n), error_norm(c, x + 3 * n));
+    const int is_slaved = c->last.method != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
+    if (c->last.method == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
+        const double before = motion_error(c, x + c->s.n_motion);
         const double next = difference * difference / hm_hypot(difference, before);
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);
@@ -231,8 +230,8 @@ static int estimate_error(const context *c, double h, step_error *e)
     else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m)) && e->rate > SUDDEN * before_it) e->mean = fmax(e->mean, AT_A_JUMP * difference);
     if (is_slaved && order == 2) e->settled = SLAVED * h * h * error_norm(c, c->k.estimate) / fmax(speed_scale(c), 1e-300);
     if (is_slaved && order == 4) e->settled = SLAVED_COVER * difference;
-    e->mean *= c->growth;
-    if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
+    e->mean *= c->last.growth;
+    if (c->last.method == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;
 }
 

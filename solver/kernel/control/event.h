@@ -75,14 +75,14 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
     const holonom_model *m = c->m;
     const double gap = c->s.head[S_MEAN_TIME] - c->s.head[S_MEAN_TIME_BEFORE];
     const double ahead = gap > 0.0 && gap < INFINITY ? (c->t - c->s.head[S_MEAN_TIME]) / gap : 0.0;
-    c->outside = 0;
+    c->event.outside = 0;
     if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h && ahead <= FARTHEST)) return 0;
     for (int32_t i = 0; i < m->n_rows && has_forces(c); i++)
         c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
     const int rests = has_shares(c);
     if (rests) add_shares(c, c->k.event_mu);
-    c->outside = has_forces(c) && is_outside(c);
-    if (c->outside || (rests && !forces_stand_still(c))) return 0;
+    c->event.outside = has_forces(c) && is_outside(c);
+    if (c->event.outside || (rests && !forces_stand_still(c))) return 0;
     EACH_CONTACT(c, i) {
         x.rate[i] = NAN;
         if (is_closed(c, i)) {
@@ -124,7 +124,7 @@ static int32_t step_piece(context *c, double h)
 }
 
 /* State at the start of the piece at hand. */
-static const double *start_of_piece(const context *c) { return c->divided ? c->k.event_backup : c->k.pair_backup; }
+static const double *start_of_piece(const context *c) { return c->event.divided ? c->k.event_backup : c->k.pair_backup; }
 
 HM_SELDOM static void undo_piece(context *c, double t, double law_time) { restore_state(c, start_of_piece(c), t, law_time); }
 
@@ -138,7 +138,7 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
     double begin = 0.0, end = h, last = INFINITY;
     int is_open = 1; /* whether no function is known to be negative at `end` */
     *covered = h;
-    c->event = -1;
+    c->event.function = -1;
     for (int trial = 0;; trial++) { /* the piece that is left halves in three trials, or faster */
         const double width = end - begin;
         double first = INFINITY;
@@ -150,8 +150,8 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
         if (which < 0 && trial == 0 && (first = find_dip(c, t, h, low, high, &which)) == 0.0) return HOLONOM_OK;
         /* What a trial showed at `end` counts as 0 by the forces at `begin`. */
         const int is_end = which < 0 && !is_open;
-        if (is_end) first = width, which = c->event;
-        c->event = which;
+        if (is_end) first = width, which = c->event.function;
+        c->event.function = which;
         if (which < 0) { /* it only came close */
             undo_piece(c, t, law_time);
             int32_t status = step_piece(c, h);
@@ -186,7 +186,7 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
 /* Whether function k is 0 at the event, so that its mode has ended. */
 static int has_ended(const context *c, int32_t k)
 {
-    return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k);
+    return k == c->event.function || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k);
 }
 
 #define FAR_MORE 100.0
@@ -231,8 +231,8 @@ HM_SELDOM static int32_t change_modes(context *c)
             if (status) return status;
             continue;
         }
-        if (c->together) { /* new modes tell who slides */
-            c->gives_way = 1;
+        if (c->event.together) { /* new modes tell who slides */
+            c->event.gives_way = 1;
             continue;
         }
         friction_force(c, f, c->k.event_mu, along);
@@ -370,7 +370,7 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     double reach = SAFE_WAYS * h * fastest_node(c);
     int32_t status = HOLONOM_OK;
     *covered = h;
-    c->event = -1;
+    c->event.function = -1;
     follow_travel(c, start_of_piece(c));
     if (c->near[NEAR_CONTACTS] && !(travel_left(c) > reach)) { /* what moves has become much faster: once more, with all awake */
         undo_piece(c, t, law_time);
@@ -397,12 +397,12 @@ static int32_t end_piece(context *c, double t, double law_time, double h, double
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
     int32_t status = cut_piece(c, t, law_time, h, covered);
     if (status) return status;
-    if (*covered == h && c->event < 0) {
+    if (*covered == h && c->event.function < 0) {
         const int stops = follow_slips(c, high);
         copy_values(c, high, stops ? values_at(c, AT_TRIAL) : low);
         if (!stops) return HOLONOM_OK;
     } else if (mesh_of(c))
-        say_end(c, END_EVENT, c->event, values_at(c, AT_TRIAL).value[c->event]);
+        say_end(c, END_EVENT, c->event.function, values_at(c, AT_TRIAL).value[c->event.function]);
     if (!(c->s.head[S_EVENTS] < c->s.head[S_MAX_EVENTS])) return HOLONOM_TOO_MANY_EVENTS;
     status = change_modes(c);
     return status ? status : settle(c);

@@ -63,7 +63,7 @@ HM_SELDOM static void value_together(context *c, event_values x, double load)
 {
     const int32_t n = c->m->n_contacts;
     const double largest = SURELY * largest_normal(c, c->k.event_mu);
-    c->together = 1;
+    c->event.together = 1;
     for (int32_t i = 0; i < n; i++)
         if (is_closed(c, i)) x.value[i] = fmax(x.value[i], largest);
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
@@ -92,7 +92,7 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     const holonom_model *m = c->m;
     evaluate_state(c);
     int32_t status = has_forces(c) ? evaluate_forces(c) : HOLONOM_OK;
-    c->together = 0;
+    c->event.together = 0;
     for (int32_t i = 0; i < m->n_contacts && !status; i++) {
         x.value[i] = is_closed(c, i) ? force_margin(c, i, c->k.event_mu) : gap_of(c, i);
         x.rate[i] = is_closed(c, i) ? NAN : gap_rate(c, i);
@@ -105,7 +105,7 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     if (status || !has_forces(c)) return status;
     double load = INFINITY;
     enum togetherness how = NOT_TOGETHER;
-    if (c->outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
+    if (c->event.outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
     else if (has_shares(c)) {
         status = share_means(c);
         if (!status) status = evaluate_forces(c); /* which the means have overwritten */
@@ -163,7 +163,7 @@ static int32_t take_functions(context *c, int inputs_move)
 }
 
 /* Keeps those at the end of a communication step that located contacts, unless laws have jumped. */
-static void keep_functions(const context *c, int is_located)
+static void keep_functions(context *c, int is_located)
 {
     double *head = c->s.head;
     head[S_FUNCTIONS_KNOWN] = is_located && head[S_STEPPED] == 0.0 && head[S_SWITCHED] == 0.0;

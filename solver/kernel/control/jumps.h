@@ -29,7 +29,7 @@ static void start_anew(context *c)
 
 /* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
    there, and stay where its line ends.                                                                          */
-HM_SELDOM static void end_line(const context *c)
+HM_SELDOM static void end_line(context *c)
 {
     extrapolate(c, c->s.head[S_TIME], c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
     extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
@@ -50,7 +50,7 @@ HM_SELDOM static int32_t jump_with_signals(context *c, double t)
     stand_still(c);
     memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
     row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
-    inertia(c, AT_STATE, c->k.w, c->k.momentum);
+    inertia(c, 1.0, c->k.w, c->k.momentum);
     const int32_t status = solve_at_state(c, NULL);
     if (status) return status;
     add_solution(c, c->k.w);
@@ -74,7 +74,7 @@ HM_SELDOM static void follow_jumps(context *c)
     forget_momenta(c); /* which drivers change */
     follow_drivers(c);
     take_unknowns(&at);
-    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) put_back(c, &at, &held);
+    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) held = put_back(c, &at) != HOLONOM_OK;
     /* Velocities of a body that has turned far want factors of where it is now. */
     const int is_placed = !held && !factorise_here(&at);
     if (is_placed) {

@@ -59,10 +59,10 @@ HM_SELDOM static void begin_row(context *c, double h)
 }
 
 /* How the last internal step was taken. */
-static int taken_as(const context *c)
+static int taken_as(const step_result *last)
 {
-    if (c->way == EXPLICIT) return TAKEN_EXPLICIT;
-    return c->way == COMPOSED ? TAKEN_PAIRS : c->unweighted ? TAKEN_FINEST : TAKEN_COVER;
+    if (last->method == EXPLICIT) return TAKEN_EXPLICIT;
+    return last->method == COMPOSED ? TAKEN_PAIRS : last->finest ? TAKEN_FINEST : TAKEN_COVER;
 }
 
 /* Ends the row of a step that was taken so. */

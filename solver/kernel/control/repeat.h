@@ -38,7 +38,7 @@ static int32_t take_again(context *c, const double *row, double h)
     head[S_EXPLICIT] = row[MESH_EXPLICIT];
     head[S_KNOWN] = fmin(head[S_KNOWN], row[MESH_KNOWN]);
     c->careful = row[MESH_CAREFUL] != 0.0;
-    c->unweighted = 0;
+    c->last.finest = 0;
     c->damped = is_dissipative(c);
     if (row[MESH_LOWERED] != 0.0) lower_penalties(c);
     for (double k = 0.0; !status && k < row[MESH_PROJECTED]; k++) status = project_velocities(c, S_IMPACT);
@@ -53,7 +53,7 @@ static int32_t take_again(context *c, const double *row, double h)
     const int is_brief = row[MESH_TAKEN] == TAKEN_SHORT;
     status = is_brief ? short_piece(c, h) : internal_step(c, h);
     if (status) return status;
-    if (!is_brief && taken_as(c) != row[MESH_TAKEN]) return HOLONOM_MESH_METHODS;
+    if (!is_brief && taken_as(&c->last) != row[MESH_TAKEN]) return HOLONOM_MESH_METHODS;
     if (row[MESH_PUT_BACK] != 0.0) put_only_velocities_back(c);
     return HOLONOM_OK;
 }
@@ -65,7 +65,7 @@ static int32_t refuse_events(context *c, double t, double law_time, double h)
     double covered;
     const int32_t status = cut_piece(c, t, law_time, h, &covered);
     if (status) return status;
-    if (c->event >= 0 || covered < h || follow_slips(c, high)) return HOLONOM_MESH_EVENTS;
+    if (c->event.function >= 0 || covered < h || follow_slips(c, high)) return HOLONOM_MESH_EVENTS;
     copy_values(c, high, values_at(c, AT_LOW));
     return HOLONOM_OK;
 }
@@ -156,7 +156,7 @@ static int32_t take_event(context *c, mesh_piece *x, double law_time, double lon
 /* Changes contacts at the end of a piece. */
 static int32_t change_contacts(context *c, const double *row)
 {
-    c->event = row[MESH_END] == END_EVENT ? (int32_t)row[MESH_FUNCTION] : -1;
+    c->event.function = row[MESH_END] == END_EVENT ? (int32_t)row[MESH_FUNCTION] : -1;
     int32_t status = change_modes(c);
     if (!status) status = settle(c);
     if (!status && c->tolerance > 0.0) follow_energies(c);

@@ -106,7 +106,7 @@ static void step_anew(context *c, piece *x, double h)
     sense(c, 0.0, 0);
     set_laws(c, x->t, 0);
     begin_watched(c, h);
-    c->unweighted = 0;
+    c->last.finest = 0;
     x->status = x->take(c, h);
 }
 
@@ -289,7 +289,7 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
 /* Takes a piece from the present state. */
 static int32_t take_to_switch(context *c, piece *x)
 {
-    c->unweighted = 0;
+    c->last.finest = 0;
     begin_watched(c, x->length);
     x->status = x->take(c, x->length);
     return find_switch(c, x);
@@ -310,9 +310,9 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
     seek_stop_anew(c);
     start_anew(c);
     c->s.head[S_SWITCHED] += 1.0;
-    c->quick = t - c->switched > c->pause ? 0 : c->quick + 1;
-    c->switched = t;
-    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->quick < MOST_QUICK)) return HOLONOM_LAW_SWITCHES;
+    c->switches.quick = t - c->switches.last > c->switches.pause ? 0 : c->switches.quick + 1;
+    c->switches.last = t;
+    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->switches.quick < MOST_QUICK)) return HOLONOM_LAW_SWITCHES;
     return jump_with_signals(c, t);
 }
 
@@ -361,7 +361,7 @@ HM_SELDOM static int32_t pass_motion(context *c)
 /* Changes the sides of the switch at the end of a piece, if it has come there. */
 static int32_t pass_switch(context *c, const piece *x)
 {
-    return x->crossed ? pass_motion(c) : x->stops ? pass_time(c, c->stop) : HOLONOM_OK;
+    return x->crossed ? pass_motion(c) : x->stops ? pass_time(c, c->switches.next) : HOLONOM_OK;
 }
 
 /* Shortens a piece, in a communication step of length `step` that goes on for `rest`, to the next switch of the time, which is passed
@@ -384,11 +384,11 @@ HM_SELDOM static int32_t stop_at_switch(context *c, piece *x, double rest, doubl
 HM_SELDOM static int32_t end_at_switch(context *c, double t, double step)
 {
     c->t = t;
-    c->stop = NAN;
+    c->switches.next = NAN;
     const double round = rounding_of_time(t, step);
     if (next_stop(c, t, t + 2.0 * round) > t + round) return HOLONOM_OK;
     end_line(c);
-    return pass_time(c, c->stop);
+    return pass_time(c, c->switches.next);
 }
 
 #endif

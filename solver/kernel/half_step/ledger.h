@@ -2,6 +2,8 @@
 #ifndef HOLONOM_LEDGER_H
 #define HOLONOM_LEDGER_H
 
+#include "elements.h"
+#include "motion.h"
 #include "sampling.h"
 #include "step.h"
 
@@ -28,28 +30,18 @@ static inline int account_of(const context *c, int32_t j, enum row_state state)
     return owner < 0 ? S_DEFECT : S_IMPACT;
 }
 
-/* Work of the elements' drives, what dampers take (also for each by itself, in loss), and the work of drivers: a row of multiplier mu works
+/* Work of elements, what their dampers take (also for each by itself, in loss), and the work of drivers: a row of multiplier mu works
    -mu (its part by quantities) = -mu dphi + mu (its part by signals).                                           */
 static void book_composites(context *c)
 {
-    const holonom_model *m = c->m;
-    composite_result result = {0.0, 0.0, 0.0};
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
-        const double damping = c->number[m->damping_at + j], drive = c->number[m->drive_at + j];
-        if (damping == 0.0 && drive == 0.0) continue;
-        const double elongation = c->k.elongation[j], lost = damping * elongation * elongation / c->h;
-        book(c, S_DISSIPATED, lost);
-        c->k.loss[j] += lost;
-        book(c, S_WORK, drive * elongation);
-    }
     EACH_COMPOSITE(c, j) {
-        if (is_damped(c, j)) {
-            composite_slopes(c, j, SLOPES_ALONE, &result);
-            const double lost = damping_share_of_step(c, j) * result.change;
-            book(c, S_DISSIPATED, lost);
-            c->k.loss[j] += lost;
+        if (!is_row(c, j)) {
+            const element_work work = kind_of(c, j)->step(c, j);
+            book(c, S_DISSIPATED, work.lost);
+            c->k.loss[j] += work.lost;
+            book(c, S_WORK, work.done);
+            continue;
         }
-        if (!is_row(c, j)) continue;
         const int32_t row = row_of(c, j);
         const double mu = c->k.mu[row], change = c->k.change[row];
         const enum row_state state = state_of_row(c, j);
@@ -138,19 +130,6 @@ static void follow_turns(context *c)
 {
     follow_angles(c, NULL);
     for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
-}
-
-/* x (2 n) += weight times what the state has changed by since `before`, in coordinates and in velocities. */
-static void add_change(const context *c, const double *before, double weight, double *x)
-{
-    const int64_t n = DIM * c->n_moving;
-    const hm_state *s = &c->s;
-    const double *q0 = before + (s->q - s->head), *q0_low = before + (s->q_low - s->head);
-    const double *v0 = before + (s->v - s->head), *v0_low = before + (s->v_low - s->head);
-    for (int64_t k = 0; k < n; k++) {
-        x[k] += weight * ((s->q[k] - q0[k]) + (s->q_low[k] - q0_low[k]));
-        x[n + k] += weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0_low[k]));
-    }
 }
 
 static double momentum_norm2(const context *c)

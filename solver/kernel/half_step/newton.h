@@ -65,7 +65,7 @@ HM_SELDOM static int leave_undetermined(const context *c, double *x, int all)
 }
 
 /* Multipliers that the next step begins with, in the place of lambda: those of this one, less that part. */
-static void clean_multipliers(const context *c)
+static void clean_multipliers(context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
     if (!leave_undetermined(c, c->k.lambda, 0)) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
@@ -141,7 +141,7 @@ static int rows_are_firm(const context *c)
    energy, and 5e-15 like this).                                                                                 */
 #define NEARLY_THERE 1e-8
 
-static void choose_lambda(const context *c, const newton_record *r)
+static void choose_lambda(context *c, const newton_record *r)
 {
     const int is_short = r->begun < NEARLY_THERE * r->size;
     const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
@@ -205,7 +205,7 @@ static void take_back(context *c)
 static void hold_multipliers(context *c, newton_record *r)
 {
     update_multipliers(c);
-    c->has_last = 0;
+    c->secants.has_last = 0;
     r->updates++;
 }
 
@@ -229,13 +229,13 @@ static int32_t iterate_newton(context *c, newton_record *r)
             c->soft = is_soft_enough(c, r);
             status = factorise(c);
             c->firm = !status && rows_are_firm(c);
-            c->has_last = 0;
+            c->secants.has_last = 0;
         }
         if (!status) status = newton_update(c, r);
         if (status) return status;
         judge_increment(c, r);
         c->unsettled = is_settling(c, r) ? r->eta / fabs(c->h) : INFINITY;
-        if (is_misled(r)) take_back(c), c->has_last = 0;
+        if (is_misled(r)) take_back(c), c->secants.has_last = 0;
         if (r->eta <= READ_ENOUGH * r->size) c->reads = 0;
         status = evaluate_balance(c);
         if (status) return status;

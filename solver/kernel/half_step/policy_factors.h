@@ -81,11 +81,11 @@ static void pause_lean(double *island) { pause_way(island + I_FULL_STEPS, island
    each time for twice as many half steps. They are scratch of one internal step, and of one island.              */
 #define FURTHER_INCREMENTS 1
 
-static int take_factors_over(const context *c, newton_record *r)
+static int take_factors_over(context *c, newton_record *r)
 {
     double *island = c->island;
     if (island[I_FRESH_STEPS] > 0.0) island[I_FRESH_STEPS] -= 1.0;
-    if (c->m->n_islands > 1 || c->factors_h != c->h || c->factors_lu != c->lu || island[I_FRESH_STEPS] > 0.0 ||
+    if (c->m->n_islands > 1 || c->kept_factors.h != c->h || c->kept_factors.lu != c->lu || island[I_FRESH_STEPS] > 0.0 ||
         !hm_skips(SKIP_FRESH_FACTORS))
         return 0;
     r->factorised = r->taken_over = 1;
@@ -109,10 +109,11 @@ static void replace_factors(context *c, newton_record *r)
 static void judge_factors(context *c, const newton_record *r, int began_with_old)
 {
     double *island = c->island;
-    if (began_with_old && r->increments > c->fresh_increments + FURTHER_INCREMENTS) pause_way(island + I_FRESH_STEPS, island + I_FRESH_WAIT);
-    if (!began_with_old) c->fresh_increments = r->increments;
-    c->factors_h = r->factorised && !r->raised ? c->h : 0.0;
-    c->factors_lu = c->lu;
+    if (began_with_old && r->increments > c->kept_factors.increments + FURTHER_INCREMENTS)
+        pause_way(island + I_FRESH_STEPS, island + I_FRESH_WAIT);
+    if (!began_with_old) c->kept_factors.increments = r->increments;
+    c->kept_factors.h = r->factorised && !r->raised ? c->h : 0.0;
+    c->kept_factors.lu = c->lu;
     if (is_lean(c) && !began_with_old && r->increments > LEAN_INCREMENTS) pause_lean(island);
 }
 

@@ -123,7 +123,7 @@ static inline void remember(int kept, const history *x, double fresh, int64_t i)
 }
 
 /* Takes over the length of a half step that tells. */
-static void remember_length(const context *c)
+static void remember_length(context *c)
 {
     double *length = c->s.head + S_HALF_1;
     c->s.head[S_KNOWN] += 1.0;
@@ -139,7 +139,7 @@ static void begin_halves(context *c, int halves)
 {
     if (c->s.head[S_HALVES] != halves) forget_halves(c);
     c->s.head[S_HALVES] = c->halves = halves;
-    c->factors_h = 0.0;
+    c->kept_factors.h = 0.0;
     c->rows_known = 0;
 }
 

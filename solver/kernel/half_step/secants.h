@@ -35,8 +35,8 @@ HM_SELDOM static void learn_secant(context *c, const double *g)
 {
     const int32_t n = end_pivot(c);
     double *kept = c->k.secants, *last = kept + 2 * MOST_SECANTS * n;
-    double *p = kept + 2 * n * (c->n_secants % MOST_SECANTS), *q = p + n;
-    const int32_t known = c->n_secants < MOST_SECANTS ? c->n_secants : MOST_SECANTS;
+    double *p = kept + 2 * n * (c->secants.count % MOST_SECANTS), *q = p + n;
+    const int32_t known = c->secants.count < MOST_SECANTS ? c->secants.count : MOST_SECANTS;
     double *dp = last + n, *dq = last; /* the increment, and g before it */
     for (int32_t i = 0; i < n; i++) dq[i] = g[i] - dq[i];
     const double size = sqrt(product_of_increments(c, dq, dq));
@@ -49,7 +49,7 @@ HM_SELDOM static void learn_secant(context *c, const double *g)
     const double left = sqrt(product_of_increments(c, dq, dq));
     if (!(left > SHOWN_BEFORE * size)) return;
     for (int32_t i = 0; i < n; i++) p[i] = dp[i] / left, q[i] = dq[i] / left;
-    c->n_secants++;
+    c->secants.count++;
 }
 
 /* Lets the increment at hand, in rhs, follow what laws do. */
@@ -57,19 +57,19 @@ HM_SELDOM static void follow_laws(context *c)
 {
     const int32_t n = end_pivot(c);
     double *kept = c->k.secants, *last = kept + 2 * MOST_SECANTS * n, *g = c->k.rhs;
-    if (c->secants_h != c->h || c->secants_lu != c->lu) c->n_secants = c->has_last = 0;
-    c->secants_h = c->h;
-    c->secants_lu = c->lu;
-    if (c->has_last) learn_secant(c, g);
+    if (c->secants.h != c->h || c->secants.lu != c->lu) c->secants.count = c->secants.has_last = 0;
+    c->secants.h = c->h;
+    c->secants.lu = c->lu;
+    if (c->secants.has_last) learn_secant(c, g);
     memcpy(last, g, sizeof(double) * (size_t)n);
-    for (int32_t j = 0; j < c->n_secants && j < MOST_SECANTS; j++) {
+    for (int32_t j = 0; j < c->secants.count && j < MOST_SECANTS; j++) {
         const double *p = kept + 2 * n * j, *q = p + n;
         const double part = product_of_increments(c, q, g);
         add_multiple(n, -part, q, g);
         add_multiple(n, -part, p, g);
     }
     memcpy(last + n, g, sizeof(double) * (size_t)n);
-    c->has_last = 1;
+    c->secants.has_last = 1;
 }
 
 #endif

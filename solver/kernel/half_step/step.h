@@ -79,7 +79,7 @@ static inline int may_reduce(const context *c) { return HM_BODIES && c->m->n_red
 static void prepare_step(context *c, int parity)
 {
     c->reads = reads_the_step(c);
-    c->has_last = 0;
+    c->secants.has_last = 0;
     c->unsettled = INFINITY;
     const holonom_model *m = c->m;
     const double h = c->h;
@@ -182,7 +182,7 @@ static inline newton_record nothing_seen(const context *c)
 /* Another try of the step, with new factors. */
 HM_SELDOM static int32_t try_again(context *c, int parity, newton_record *r, effort *total)
 {
-    c->factors_h = 0.0;
+    c->kept_factors.h = 0.0;
     c->rows_known = 0;
     *r = nothing_seen(c);
     prepare_step(c, parity);

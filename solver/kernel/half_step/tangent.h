@@ -157,15 +157,18 @@ static void set_rows_apart(const context *c, double *value)
         }
 }
 
-/* momentum = (2/h) M x over the moving nodes, the inertia term of the residual. */
-static void inertia(const context *c, double h, const double *x, double *momentum)
+/* Of masses in residual and tangent: 2/h in a step, 1 at a state, where `h` is 1. */
+static inline double mass_factor(const context *c) { return c->at_state ? 1.0 : 2.0 / c->h; }
+
+/* momentum = factor M x over the moving nodes, the inertia term of the residual. */
+static void inertia(const context *c, double factor, const double *x, double *momentum)
 {
     const holonom_model *m = c->m;
-    const double twice_rate = 2.0 / h, *mass_of = c->number + m->mass_at;
+    const double *mass_of = c->number + m->mass_at;
     EACH_COORDINATE(c, k) momentum[k] = 0.0;
     for IN_ISLAND(c, e, ISLAND_MASS) {
         const int32_t *node = m->mass_node + 2 * e;
-        const double mass = twice_rate * mass_of[e], *column = x + DIM * node[1];
+        const double mass = factor * mass_of[e], *column = x + DIM * node[1];
         double *row = momentum + DIM * node[0];
         EACH(k) row[k] += mass * column[k];
     }
@@ -177,7 +180,7 @@ static void inertia(const context *c, double h, const double *x, double *momentu
 static void inertia_tangent(const context *c, double *value)
 {
     double *y = c->k.ahead;
-    inertia(c, c->h, c->k.middle, y);
+    inertia(c, mass_factor(c), c->k.middle, y);
     EACH_TURN(c, b) {
         const int32_t at = DIM * c->m->body_node[b], *slot = c->lu->inertia_slot + TURNING * TURNING * b;
         double *x = c->k.bend + at;
@@ -195,11 +198,11 @@ static int32_t assemble_tangent(const context *c)
 {
     const holonom_model *m = c->m;
     double *value = c->k.value;
-    const double h = c->h;
+    const double factor = mass_factor(c);
     const int32_t first = c->lu->lu_ptr[first_pivot(c)];
     memset(value + first, 0, sizeof(double) * (size_t)(c->lu->lu_ptr[end_pivot(c)] - first));
     for (int32_t e = c->begin[ISLAND_MASS]; e < c->end[ISLAND_MASS] && e < m->n_mass_free; e++)
-        EACH(k) if (c->lu->mass_slot[DIM * e + k] >= 0) value[c->lu->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
+        EACH(k) if (c->lu->mass_slot[DIM * e + k] >= 0) value[c->lu->mass_slot[DIM * e + k]] += factor * c->number[m->mass_at + e];
     clear_bodies(c, c->k.bend, TURNING * TURNING);
     EACH_FORM_ROW(c, i) {
         const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
@@ -254,7 +257,7 @@ static int32_t add_composites(const context *c)
 static int32_t nodal_residual(const context *c)
 {
     const holonom_model *m = c->m;
-    inertia(c, c->h, c->k.w, c->k.momentum);
+    inertia(c, mass_factor(c), c->k.w, c->k.momentum);
     clear_bodies(c, c->k.torque, TURNING);
     EACH_FORM_ROW(c, i) {
         motion g;

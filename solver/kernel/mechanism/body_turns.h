@@ -177,7 +177,7 @@ static inline void split(double x, double x_low, double *high, double *low)
 
 /* Takes from the directors what rounding has made of them, d_i -= sum_j (d_i . d_j - delta_ij) d_j/2, with products to twice
    the digits. Turns do not bring it back, and it would grow with the root of the number of steps.               */
-static void straighten(const context *c, int32_t a)
+static void straighten(context *c, int32_t a)
 {
     double *q = c->s.q + DIM * a, *q_low = c->s.q_low + DIM * a, high[TURNING][DIM], low[TURNING][DIM], half[TURNING][TURNING];
     for (int i = 0; i < TURNING; i++) EACH(k) split(q[DIM * i + k], q_low[DIM * i + k], &high[i][k], &low[i][k]);

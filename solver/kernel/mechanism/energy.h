@@ -2,21 +2,15 @@
 #ifndef HOLONOM_ENERGY_H
 #define HOLONOM_ENERGY_H
 
+#include "elements.h"
 #include "step.h"
 
 /* Energy of springs and potentials of the islands at hand. */
 static double stored_energy(const context *c)
 {
-    const holonom_model *m = c->m;
     double sum = 0.0;
-    if (m->n_potentials) quantities_at_state(c);
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
-        if (c->number[m->stiffness_at + j] == 0.0) continue;
-        const double sigma = quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, NULL, NULL);
-        const double stretch = sigma - c->number[m->rest_at + j];
-        sum += 0.5 * c->number[m->stiffness_at + j] * stretch * stretch;
-    }
-    for IN_ISLAND(c, j, ISLAND_POTENTIAL) sum += function_value(c, j);
+    if (c->m->n_potentials) quantities_at_state(c);
+    EACH_ELEMENT(c, j) sum += kind_of(c, j)->energy(c, j);
     return sum;
 }
 
@@ -87,10 +81,7 @@ static void follow_energies(context *c)
         load += extent * sqrt(dot(c->number + m->load_at + DIM * j, c->number + m->load_at + DIM * j));
     for (int32_t j = 0; j < m->n_moments * TURNING; j++) load += fabs(c->number[m->moment_at + j]);
     for (int32_t j = 0; j < m->n_body_moments * 3; j++) load += fabs(c->number[m->body_moment_at + j]);
-    for (int32_t j = 0; j < m->n_elements; j++) {
-        const int is_angle = m->quantity_kind[m->leaf[4 * m->leaf_ptr[j] + 1]] == QUANTITY_ANGLE;
-        load += (is_angle ? 1.0 : extent) * fabs(c->number[m->drive_at + j]);
-    }
+    for (int32_t j = 0; j < m->n_elements; j++) load += size_of_quantity(c, j) * fabs(linear_bound(c, j).drive);
     load *= 1e-3;
     if (!(load <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = load;
     if (!(kinetic <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = kinetic;
@@ -186,13 +177,6 @@ HM_SELDOM static void row_values(const context *c, double *phi)
 }
 
 /* Whether something takes energy out: parts of a step that go back in time would give it. */
-static int is_dissipative(const context *c)
-{
-    for (int32_t j = 0; j < c->m->n_elements; j++)
-        if (c->number[c->m->damping_at + j] != 0.0) return 1;
-    for (int32_t j = 0; j < c->m->n_potentials; j++)
-        if (c->number[c->m->depth_damping_at + j] != 0.0) return 1;
-    return has_smooth(c);
-}
+static int is_dissipative(const context *c) { return has_dampers(c) || has_smooth(c); }
 
 #endif

@@ -51,7 +51,7 @@ static double bend_along(const context *at, int32_t j, int32_t l, double more)
     return function_jet(at, j, 0, x, NULL).bend;
 }
 
-/* Adds to momentum AT_STATE times the change of the potentials' forces in the motion x, by their second derivatives H in what they
+/* Adds to momentum the change of the potentials' forces in the motion x, by their second derivatives H in what they
    measure: of its rates r, 4 s e'H r = (r + s e)'H (r + s e) - (r - s e)'H (r - s e). */
 static int32_t add_forces_of_potentials(const context *at, const double *x)
 {
@@ -73,7 +73,7 @@ static int32_t add_forces_of_potentials(const context *at, const double *x)
             const double along = (bend_along(at, j, l, s) - bend_along(at, j, l, -s)) / (4.0 * s);
             const int32_t status = set_leaf(at, entry, 0, &leaf);
             if (status) return status;
-            add_leaf_force(at, j, entry, &leaf, AT_STATE * along);
+            add_leaf_force(at, j, entry, &leaf, along);
         }
     }
     return HOLONOM_OK;

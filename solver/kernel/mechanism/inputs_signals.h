@@ -166,7 +166,7 @@ HM_SELDOM static void follow_signals(const context *c, double t, double h, doubl
 }
 
 /* Sets the state's signals, and driven nodes, to signal1 and signal_rate. */
-HM_SELDOM static void place_driven(const context *c)
+HM_SELDOM static void place_driven(context *c)
 {
     const int32_t first = DIM * c->m->n_free;
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
@@ -178,7 +178,7 @@ HM_SELDOM static void place_driven(const context *c)
 }
 
 /* Lets driven nodes and signals be where they are now, with their rates: half steps leave rates that are right to the order. */
-HM_SELDOM static void follow_drivers(const context *c)
+HM_SELDOM static void follow_drivers(context *c)
 {
     signals_at(c, c->t, c->k.signal1);
     signal_rates_at(c, c->t, c->k.signal_rate);

@@ -72,10 +72,7 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
     for (int64_t k = 0; k < n; k++) c.k.d[k] = step * (c.s.v[k] + 0.5 * step * c.s.a[0][k]);
     changes_of_composites(&c);
     book_step(&c);
-    for (int64_t k = 0; k < n; k++) {
-        hm_add(c.s.q + k, c.s.q_low + k, c.k.d[k]);
-        hm_add(c.s.v + k, c.s.v_low + k, step * c.s.a[0][k]);
-    }
+    move_along(&c, step, c.s.a[0]);
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     follow_angles(&c, c.k.d);
     memcpy(c.s.signal, c.k.signal1, sizeof(double) * (size_t)m->n_signals);

@@ -231,7 +231,7 @@ static void follow_cones(const context *c)
 
 /* Switches sliding frictions off (their mode changes its sign, which counts as off), or on again: part of the velocities that they
    bring about would not be orthogonal to what rows allow.                                                       */
-static void suspend_sliding(const context *c, int suspended)
+static void suspend_sliding(context *c, int suspended)
 {
     EACH_FRICTION(c, f) {
         double *x = friction_of(c, f);

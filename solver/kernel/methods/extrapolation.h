@@ -26,26 +26,22 @@ static double weight_of(int pairs, int first, int last)
     return weight;
 }
 
-/* Goes back to the start of the step, from which its next cover begins; what predicts half steps stays. */
-static void go_back(context *c, double t, double law_time)
+/* Begins the next cover at the start of the step; what predicts half steps stays. */
+static void begin_cover(context *c, double t, double law_time)
 {
-    const hm_state *s = &c->s;
-    const double *start = c->k.pair_backup;
-    memcpy(s->q, start + (s->q - s->head), sizeof(double) * (size_t)(6 * DIM * c->n_moving)); /* q, v, imbalances */
+    go_back(c, c->k.pair_backup);
     memset(c->k.loss, 0, sizeof(double) * (size_t)n_composites(c));
-    memcpy(s->turns, start + (s->turns - s->head), sizeof(double) * (size_t)(s->derived - s->turns));
-    for (int i = S_WORK; i <= S_FRICTION_LOW; i++) s->head[i] = start[i];
     if (c->m->time_dependent) set_laws(c, law_time, 0);
     c->t = t;
     c->rows_known = 0;
 }
 
-/* Adds the end of a cover to the weighted changes of q and v (in estimate), ledger and losses; and to what they differ by from those
+/* Adds the end of a cover to the weighted changes of the motion (in estimate), ledger and losses; and to what they differ by from those
    without the coarsest cover, and these from those without the two coarsest. Energies of the islands are weighted, too; momenta that
    changed are not kept. */
 static void weigh(context *c, int pairs, int covers, double *booked)
 {
-    const int64_t n = 2 * DIM * c->n_moving;
+    const int64_t n = c->s.n_motion;
     const double weight = weight_of(pairs, 1, covers), less = weight_of(pairs, 2, covers);
     const hm_state *s = &c->s;
     const double *start = c->k.pair_backup;
@@ -62,20 +58,15 @@ static void weigh(context *c, int pairs, int covers, double *booked)
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
-static int32_t take_weighted(context *c, const double *booked)
+static int32_t take_weighted(context *c, const double *booked, step_result *result)
 {
-    const int64_t n = DIM * c->n_moving;
-    const hm_state *s = &c->s;
-    double *head = s->head, *dq = c->k.estimate, *dv = dq + n;
+    double *head = c->s.head, *change = c->k.estimate;
     const double *start = c->k.pair_backup;
-    add_change(c, start, -1.0, dq);
-    if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
+    add_change(c, start, -1.0, change);
+    if (!(motion_norm(c, change) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
     memcpy(c->k.loss, c->k.weighted_loss, sizeof(double) * (size_t)n_composites(c));
     if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
-    for (int64_t k = 0; k < n; k++) {
-        hm_add(s->q + k, s->q_low + k, dq[k]);
-        hm_add(s->v + k, s->v_low + k, dv[k]);
-    }
+    change_motion(c, change);
     double gained = 0.0;
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
@@ -90,8 +81,8 @@ static int32_t take_weighted(context *c, const double *booked)
     context at = rows_at_state(c);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
-    int unused;
-    if (!status) status = put_back(c, &at, &unused);
+    if (!status) status = put_back(c, &at);
+    tell_corrections(c, result);
     suspend_sliding(c, 0);
     follow_turns(c);
     return status;
@@ -104,12 +95,12 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
     const size_t losses = sizeof(double) * (size_t)n_composites(c);
     int half = 0;
     begin_halves(c, halves);
-    memset(c->k.estimate, 0, sizeof(double) * (size_t)(6 * DIM * c->n_moving));
+    memset(c->k.estimate, 0, sizeof(double) * (size_t)(3 * c->s.n_motion));
     memset(c->k.loss, 0, losses);
     memset(c->k.weighted_loss, 0, losses);
     for (int pairs = 1; pairs <= covers; pairs++) {
         c->n_kept_forces = 0;
-        if (pairs > 1) go_back(c, t, law_time);
+        if (pairs > 1) begin_cover(c, t, law_time);
         for (int i = 0; i < 2 * pairs; i++) {
             const int32_t status = single_step(c, 0.5 * h / pairs, half++ % halves);
             if (status) return status;
@@ -125,20 +116,20 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
 
 /* One internal step: its weighted end, or that of the finest cover, of order 2. A pair that `is_judged` so is one of two covers. With
    equal steps the finest cover stands, too, where the weighted end cannot be put back; under a tolerance the step is divided. */
-HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
+HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged, step_result *result)
 {
     const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;
     double booked[N_WEIGHTED] = {0.0}; /* weighted changes in the ledger */
     keep_motion(c, h);
-    c->growth = 1.0;
-    c->balanced = 0.0;
+    result->growth = 1.0;
+    result->energy_correction = 0.0;
     keep_state(c, c->k.pair_backup);
     int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), booked);
     if (status) return status;
     keep_state(c, c->k.finest);
-    c->way = COVERED;
-    c->unweighted = 0;
-    status = is_judged ? HOLONOM_OK : take_weighted(c, booked);
+    result->method = COVERED;
+    result->finest = 0;
+    status = is_judged ? HOLONOM_OK : take_weighted(c, booked, result);
     if (!status && !is_judged) return HOLONOM_OK;
     if (is_judged) {
         add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
@@ -147,7 +138,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
         return status;
     take_state(c, c->k.finest);
     c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;
-    c->unweighted = covers;
+    result->finest = covers;
     return HOLONOM_OK;
 }
 

@@ -8,7 +8,7 @@
 
 #if DIM == 3
 /* Turns the island at hand, places and velocities, by the rotation vector psi about its centre. Returns how far, in the mass norm. */
-HM_SELDOM static double turn_island(const context *c, const kept_motion *x, const double *psi)
+HM_SELDOM static double turn_island(context *c, const kept_motion *x, const double *psi)
 {
     const double theta = sqrt(dot(psi, psi)), half = hm_sin(0.5 * theta), sine = hm_sin(theta) / theta, bend = 2.0 * half * half / (theta * theta);
     double *moved = c->k.w;
@@ -28,7 +28,7 @@ HM_SELDOM static double turn_island(const context *c, const kept_motion *x, cons
 
 /* Turns a body that flies alone, places and velocities, so that its angular momentum points where it is to: an error of a rod's
    axis would else become spin about it, which has hardly any inertia. */
-HM_SELDOM static void turn_to_momentum(const context *c, kept_motion *x)
+HM_SELDOM static void turn_to_momentum(context *c, kept_motion *x)
 {
     int keeps = x->flies && c->node.end - c->node.begin == 1 + TURNING;
     double now[RIGID], size[RIGID], psi[DIM];
@@ -99,7 +99,7 @@ HM_SELDOM static int balance_by_turning(context *c, kept_motion *x, double L[RIG
         EACH(k) omega[DIM + k] = l[k];
         solve_rigid(L, omega);
         cross_product(omega + DIM, l, g);
-        if (i == 0) c->growth = fmax(c->growth, growth_of_errors(L, l));
+        if (i == 0) x->growth = fmax(x->growth, growth_of_errors(L, l));
         if (fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x)) break;
         cross_product(g, l, a);
         cross_product(g, a, bend);
@@ -110,7 +110,7 @@ HM_SELDOM static int balance_by_turning(context *c, kept_motion *x, double L[RIG
         const double s = -2.0 * excess / (slope + sqrt(slope * slope - 2.0 * curve * excess));
         if (!(fabs(s) * sqrt(slope) <= LARGEST_TURN_BACK)) return 0;
         EACH(k) psi[k] = s * g[k];
-        c->balanced = fmax(c->balanced, turn_island(c, x, psi) / c->number[c->m->extent_at + 1]);
+        x->correction = fmax(x->correction, turn_island(c, x, psi) / c->number[c->m->extent_at + 1]);
         put_momenta_back(c, x, L);
         potential = potential_of_island(c);
     }

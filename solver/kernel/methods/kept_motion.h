@@ -17,6 +17,7 @@ typedef struct kept_motion {
     double kinetic, potential;          /* energies at the start of the step */
     double lacking;                     /* energy that its ledger lacked there */
     double work, dissipated;            /* in the step */
+    double correction, growth;          /* as in a step_result */
     double centre[DIM];                 /* which angular momenta are about */
 } kept_motion;
 
@@ -86,10 +87,10 @@ static double potential_of_island(const context *c)
 /* What dampers (S_DISSIPATED), or frictions (S_FRICTION), of the island at hand have taken in the step. */
 HM_SELDOM static double lost_of(const context *c, int account)
 {
-    static const int PARTS[2][2] = {{ISLAND_ELEMENT, ISLAND_POTENTIAL}, {ISLAND_FUNCTION, ISLAND_VELOCITY}};
     double sum = 0.0;
-    for (int k = 0; k < 2; k++)
-        for IN_ISLAND(c, j, PARTS[account == S_FRICTION][k]) sum += c->k.loss[j];
+    if (account == S_DISSIPATED) EACH_ELEMENT(c, j) sum += c->k.loss[j];
+    else for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
+        for IN_ISLAND(c, j, k) sum += c->k.loss[j];
     return sum;
 }
 
@@ -167,10 +168,19 @@ HM_SELDOM static void gain_together(context *c, double total)
     strongest->work += total;
 }
 
+/* What putting the islands back has done to the step. */
+HM_SELDOM static void tell_corrections(context *c, step_result *result)
+{
+    EACH_ISLAND(c, island) {
+        result->energy_correction = fmax(result->energy_correction, kept_of(c)->correction);
+        result->growth = fmax(result->growth, kept_of(c)->growth);
+    }
+}
+
 #define EACH_FREE(c, k) for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE]; k < k##_end; k++)
 
 /* Adds so much of u (n) to the velocities at hand. */
-static void add_to_velocities(const context *c, double part, const double *u)
+static void add_to_velocities(context *c, double part, const double *u)
 {
     EACH_FREE(c, k) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
 }
@@ -192,22 +202,8 @@ HM_SELDOM static double sizes_of_summands(const context *c, const kept_motion *x
         for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->moment_at + TURNING * j + k]);
     for IN_ISLAND(c, j, ISLAND_BODY_MOMENT)
         for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->body_moment_at + TURNING * j + k]);
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
-        const double rest = c->number[m->rest_at + j];
-        const int32_t measured = m->leaf[4 * m->leaf_ptr[j] + 1];
-        const double sigma = quantity_at(c, measured, c->s.q, c->s.q_low, NULL, NULL);
-        const double size = m->quantity_kind[measured] == QUANTITY_ANGLE ? 1.0 : extent;
-        sum += fabs(c->number[m->drive_at + j]) * fmax(fabs(sigma), size);
-        sum += c->number[m->stiffness_at + j] * fabs(sigma - rest) * (fabs(sigma) + fabs(rest));
-    }
     if (m->n_potentials) quantities_at_state(c);
-    for IN_ISLAND(c, j, ISLAND_POTENTIAL) {
-        const hm_registers *r = &c->k.r;
-        sum += fabs(function_value(c, j));
-        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) r->r1[l] = r->r0[l], r->dr[l] = 0.0;
-        run_function(c, j);
-        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) sum += fabs(r->adjoint[l] * r->r0[l]);
-    }
+    EACH_ELEMENT(c, j) kind_of(c, j)->add_sizes(c, j, &sum);
     return sum;
 }
 
@@ -221,7 +217,7 @@ HM_SELDOM static int is_round_off(const context *c, const kept_motion *x, double
 }
 
 /* Brings momenta of the island at hand back that are kept, by a motion as one rigid body: L is its mass matrix (factor_rigid). */
-HM_SELDOM static void put_momenta_back(const context *c, kept_motion *x, double L[RIGID][RIGID])
+HM_SELDOM static void put_momenta_back(context *c, kept_motion *x, double L[RIGID][RIGID])
 {
     double lacking[RIGID], size[RIGID];
     momenta_now(c, x, lacking, size);

@@ -81,7 +81,7 @@ HM_SELDOM static int32_t close_rows(context *at)
 }
 
 /* Takes from the velocities of directors what is not a turn of their body. */
-HM_SELDOM static void turn_as_bodies(const context *at)
+HM_SELDOM static void turn_as_bodies(context *at)
 {
     EACH_TURN(at, b) {
         const int32_t first = DIM * at->m->body_node[b];
@@ -140,7 +140,7 @@ HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double 
     clear_nodes(at, u);
     EACH_FREE(at, k) u[k] = at->s.v[k] + at->s.v_low[k];
     for (int repeat = 0; repeat < 3 && asks; repeat++) leave_free(at, u); /* what regularised factors leave is corrected again */
-    inertia(at, 2.0, u, at->k.momentum);
+    inertia(at, 1.0, u, at->k.momentum);
     rigid_momenta(at, x->centre, x->kept, at->k.momentum, momentum, unused);
     for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
     add_rigid(at, x->centre, L, momentum, u);
@@ -149,7 +149,7 @@ HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double 
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
    u'Mu s^2/2 + v'Mu s + excess = 0. Where the mechanism almost stands, round-off of the energy would be much velocity: it is left.
    Returns whether it could be done. */
-HM_SELDOM static int balance_energy(context *c, const kept_motion *x, double potential)
+HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
     for (int i = 0; i < 3; i++) {
@@ -162,7 +162,7 @@ HM_SELDOM static int balance_energy(context *c, const kept_motion *x, double pot
         const double change = fabs(part) * sqrt(square) / speed_scale(c);
         if (!(change <= ENERGY_ROUND_OFF) && is_round_off(c, x, excess)) return 1;
         if (!(fabs(part) <= LARGEST_SCALING)) return 0;
-        c->balanced = fmax(c->balanced, change);
+        x->correction = fmax(x->correction, change);
         add_to_velocities(c, part, u);
     }
     if (c->m->n_islands > 1) c->island[I_UNBALANCED] = unbalanced(c, x, potential);
@@ -175,9 +175,7 @@ HM_SELDOM static int has_unknown_work(const context *c)
     if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 1;
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY && c->m->n_signals; k++)
         for IN_ISLAND(c, j, k) if (has_signal(c, j)) return 1;
-    int acts = is_loaded(c);
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) acts |= c->number[c->m->drive_at + j] != 0.0;
-    return c->m->sensing && acts;
+    return c->m->sensing && (is_loaded(c) || has_drives(c));
 }
 
 /* Lets what is lost in the step, and is known to its order, make up for an energy that velocities cannot bring back, as all stands for
@@ -246,18 +244,16 @@ HM_SELDOM static void put_only_velocities_back(context *c)
     if (!done) take_state(c, before);
 }
 
-/* Likewise coordinates, ahead of velocities; `held` says whether they cannot be, also where rows are too weak for it. */
-HM_SELDOM static int32_t put_back(context *c, context *at, int *held)
+/* Likewise coordinates, ahead of velocities; returns a failure where they cannot be, also where rows are too weak for it. */
+HM_SELDOM static int32_t put_back(context *c, context *at)
 {
     int32_t status = HOLONOM_OK;
-    *held = 0;
     EACH_ISLAND_OF_BOTH(c, at, island) {
         if (status) continue;
         for (int i = 0; i < 2; i++) EACH_TURN(at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
         status = close_rows(at);
         if (!status && !put_island_velocities_back(c, at)) status = HOLONOM_NOT_FINITE;
     }
-    *held = status != HOLONOM_OK;
     return status;
 }
 

@@ -40,7 +40,7 @@ HM_SELDOM static int may_step_explicitly(const context *c)
 static int ends_explicitly(const context *c) { return c->s.head[S_HALVES] == 0.0 && c->s.head[S_KNOWN] > 0.0; }
 
 /* Longest explicit step, where the last one was none. */
-HM_SELDOM static void find_longest(const context *c)
+HM_SELDOM static void find_longest(context *c)
 {
     context at = rows_at_state(c);
     take_unknowns(&at);
@@ -154,13 +154,10 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion 
 {
     const holonom_model *m = at->m;
     const double *v = at->s.v, *gravity = at->number + m->gravity_at;
-    for IN_ISLAND(at, j, ISLAND_ELEMENT) {
-        const double drive = at->number[m->drive_at + j], damping = at->number[m->damping_at + j];
-        double rate;
-        if (drive == 0.0 && damping == 0.0) continue;
-        quantity_at(at, m->leaf[4 * m->leaf_ptr[j] + 1], at->s.q, at->s.q_low, v, &rate);
-        x->work += time * drive * rate;
-        at->k.loss[j] += time * damping * rate * rate;
+    EACH_ELEMENT(at, j) {
+        const element_work work = kind_of(at, j)->rate(at, j, time);
+        x->work += work.done;
+        at->k.loss[j] += work.lost;
     }
     if (!is_loaded(at)) return HOLONOM_OK;
     clear_nodes(at, at->k.momentum);
@@ -184,7 +181,7 @@ HM_SELDOM static void look_for_forces(const context *c, double h, const double *
 {
     double rate[RIGID], size[RIGID];
     if (x->flies && !is_loaded(c)) return;
-    inertia(c, 2.0, a, c->k.momentum);
+    inertia(c, 1.0, a, c->k.momentum);
     find_centre(c, x);
     rigid_momenta(c, x->centre, x->kept, c->k.momentum, rate, size);
     for (int i = 0; i < RIGID; i++) x->kept[i] &= fabs(h * rate[i] - x->impulse[i]) <= MOMENTUM_ROUND_OFF * fmax(h * size[i], x->scale[i]);
@@ -285,8 +282,7 @@ HM_SELDOM static double free_part(context *at, const runge_kutta *x)
 /* Keeps the start of a step, of which velocities that other steps have left off the rows are put back first, if they can be. */
 HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
 {
-    const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    memcpy(c->k.pair_backup, c->s.head, bytes);
+    keep_state(c, c->k.pair_backup);
     if (ends_explicitly(c)) return HOLONOM_OK;
     follow_drivers(c);
     const int32_t status = factorise_here(at);
@@ -295,7 +291,7 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     forget_momenta(c);
     put_velocities_back(c, at);
     if (mesh_of(c)) note_ahead(c, MESH_STARTED - MESH_LOWERED);
-    memcpy(c->k.pair_backup, c->s.head, bytes);
+    keep_state(c, c->k.pair_backup);
     return HOLONOM_OK;
 }
 
@@ -306,7 +302,7 @@ HM_SELDOM static int32_t hold_driven(const context *at, const double *a, const d
     memcpy(at->k.w, a, sizeof(double) * (size_t)(DIM * at->n_moving));
     memcpy(at->k.mu, mu, sizeof(double) * (size_t)at->m->n_rows);
     const int32_t status = residual_at_state(at);
-    for (int32_t k = first; k < DIM * at->n_moving; k++) force[k - first] = at->k.momentum[k] / AT_STATE;
+    for (int32_t k = first; k < DIM * at->n_moving; k++) force[k - first] = at->k.momentum[k];
     return status;
 }
 
@@ -338,20 +334,20 @@ HM_SELDOM static void book_works(context *c)
     }
 }
 
-/* Stages and end of a step, put back. */
-HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, int *held)
+/* Stages and end of a step, to be put back; factors are those of the end. */
+HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, step_result *result)
 {
     int32_t status = keep_explicit_start(c, at);
     keep_motion(c, h);
-    c->balanced = 0.0;
-    c->growth = n_contacts(c->m) ? IMPACTS_GROW : 1.0;
+    result->energy_correction = 0.0;
+    result->growth = n_contacts(c->m) ? IMPACTS_GROW : 1.0;
     at->n_kept_forces = 0;
     if (!status) status = take_stages(at, x, h);
     c->n_kept_forces = at->n_kept_forces;
     if (status) return status;
-    c->difference = difference_of_stages(at, x, h);
-    if (!(c->difference <= LARGEST_DIFFERENCE)) {
-        c->shorter = fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / c->difference, 1.0 / x->order));
+    result->difference = difference_of_stages(at, x, h);
+    if (!(result->difference <= LARGEST_DIFFERENCE)) {
+        result->shorter = fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / result->difference, 1.0 / x->order));
         return HOLONOM_NOT_FINITE;
     }
     signals_at(c, c->t + h, c->k.signal1);
@@ -363,47 +359,49 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
     if (!status) book_works(c);
     if (!status) status = factorise_here(at);
-    c->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(c->difference, 1e-30), 1.0 / x->order);
-    if (!status) c->free_part = free_part(at, x);
-    return status ? status : put_back(c, at, held);
+    result->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(result->difference, 1e-30), 1.0 / x->order);
+    if (!status) result->free_part = free_part(at, x);
+    return status;
 }
 
 /* Leaves the forces at the start of a step that has failed in momentum: t is its time; fault.h names the part of the largest one. */
 HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, double h)
 {
-    memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    take_state(c, c->k.pair_backup);
     follow_signals(c, t, h, 0.0);
     laws_within(at, t, h, 0.0);
     accelerate_all(at);
-    inertia(c, 2.0, c->s.a[0], c->k.momentum);
+    inertia(c, 1.0, c->s.a[0], c->k.momentum);
 }
 
 /* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after
    MOST_HELD in a row others are, too: they learn their errors anew. */
-HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
+HM_SELDOM static int32_t runge_kutta_step(context *c, double h, step_result *result)
 {
     const runge_kutta *x = method_of_order((int)c->s.head[S_ORDER_IN_USE]);
     const double t = c->t;
     double *before = c->k.pair_backup; /* which undo_step returns to */
-    int held = 0;
     context at = rows_at_state(c);
     take_unknowns(&at);
     c->h = h;
     c->halves = x->stages;
-    int32_t status = step_explicitly(c, &at, x, h, &held);
+    int32_t status = step_explicitly(c, &at, x, h, result);
     /* Some weights are negative, those of pairs are not; and a stage lies on a singular place. */
     if (status == HOLONOM_DAMPING_REVERSED || status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;
-    if (held) {
+    if (!status && put_back(c, &at)) {
         before[S_HELD] += 1.0;
         return HOLONOM_OK;
     }
-    if (!status) status = remember_end(c, &at);
+    if (!status) {
+        tell_corrections(c, result);
+        status = remember_end(c, &at);
+    }
     if (status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;
     if (status == HOLONOM_NOT_FINITE) find_forces_at_start(c, &at, t, h);
     if (status) return status;
     c->s.head[S_HELD] = 0.0;
     c->s.head[S_SUBSTEPS] += x->stages;
-    c->way = EXPLICIT;
+    result->method = EXPLICIT;
     follow_turns(c);
     return HOLONOM_OK;
 }

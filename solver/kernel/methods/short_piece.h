@@ -14,10 +14,7 @@ static int is_short(const context *c, double h) { return h < SHORTEST_PIECE * us
 /* Whether loads, drivers or moving surfaces may do work. */
 HM_SELDOM static int has_loads(const context *c)
 {
-    const holonom_model *m = c->m;
-    int has = m->n_signals > 0 || n_frictions(m) > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0;
-    for (int32_t j = 0; j < m->n_elements; j++) has |= c->number[m->drive_at + j] != 0.0;
-    return has;
+    return c->m->n_signals > 0 || n_frictions(c->m) > 0 || is_loaded(c) || has_drives(c);
 }
 
 /* Power that dampers, and frictions that slide, take at the state, with the forces evaluated. */
@@ -25,17 +22,7 @@ HM_SELDOM static void powers_at_state(const context *c, double *damping, double 
 {
     const holonom_model *m = c->m;
     *damping = *friction = 0.0;
-    for (int32_t j = 0; j < m->n_elements; j++) {
-        double rate;
-        quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, c->s.v, &rate);
-        *damping += c->number[m->damping_at + j] * rate * rate;
-    }
-    for (int32_t j = first_potential(c); j < n_composites(c); j++) {
-        double power;
-        if (!is_damped(c, j)) continue;
-        const double share = damping_at_state(c, j, &power);
-        *damping += share * power;
-    }
+    EACH_ELEMENT(c, j) *damping += kind_of(c, j)->rate(c, j, 1.0).lost;
     for (int32_t f = 0; f < n_frictions(m); f++)
         if (friction_mode(c, f) == FRICTION_SLIDES)
             for (int k = 0; k < n_slips(c, f); k++)
@@ -48,10 +35,7 @@ HM_SELDOM static void move_by_series(context *c, double h)
     const int32_t n_free = c->m->n_free;
     signals_at(c, c->t + h, c->k.signal1);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
-        hm_add(c->s.q + k, c->s.q_low + k, h * (c->s.v[k] + 0.5 * h * c->k.w[k]));
-        hm_add(c->s.v + k, c->s.v_low + k, h * c->k.w[k]);
-    }
+    move_along(c, h, c->k.w);
     for (int32_t k = 0; k < DIM * c->m->n_driven; k++) {
         c->s.q[DIM * n_free + k] = c->s.signal[k];
         c->s.q_low[DIM * n_free + k] = 0.0;

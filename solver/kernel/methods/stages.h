@@ -78,7 +78,7 @@ static void rate_of_rotation(const double *psi, const double *omega, double *psi
 }
 
 /* Turns the directors from node a on by the rotation vector psi; their velocities are those of omega. */
-static void turn_by(const context *at, int32_t a, const double *psi, const double *omega)
+static void turn_by(context *at, int32_t a, const double *psi, const double *omega)
 {
     double square = 0.0, x[DIM], y[DIM];
     for (int k = 0; k < TURNING; k++) square += psi[k] * psi[k];
@@ -111,14 +111,14 @@ HM_SELDOM static double fastest_angle(const context *c)
 /* The state at h times the weighted sum from the start of the step, with the signals at hand. */
 static int32_t move_from_start(context *at, double h, const double *weight, int stages)
 {
-    const int64_t n = DIM * at->n_moving;
     const hm_state *s = &at->s;
     const double *start = at->k.pair_backup;
     double *x = at->k.estimate, *v = x + stage_size(at), turn[TURNING], omega[TURNING];
     int components;
     weigh_stages(at, weight, stages, x);
-    memcpy(s->q, start + (s->q - s->head), sizeof(double) * (size_t)(4 * n));
-    memcpy(s->turns, start + (s->turns - s->head), sizeof(double) * (size_t)(2 * at->m->n_quantities)); /* and sines */
+    take_motion_back(at, start);
+    take_section(at, s->turns, at->m->n_quantities, start);
+    take_section(at, s->sine, at->m->n_quantities, start);
     for (int32_t a = 0, next; a < at->n_moving; a = next, x += components, v += components) {
         next = behind(at, a, &components);
         if (!is_director(at, a)) {

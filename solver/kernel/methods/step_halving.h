@@ -65,49 +65,54 @@ static void restore_state(context *c, const double *backup, double t, double law
 /* Takes an internal step back. */
 static void undo_step(context *c, double t, double law_time) { restore_state(c, c->k.pair_backup, t, law_time); }
 
-/* Takes an internal step: pairs of half steps, a weighted cover of them, or an explicit one. */
-static int32_t take_step(context *c, double h)
+/* A composition of pairs of half steps, of order 2 one pair. */
+static int32_t composed_step(context *c, double h, int order, step_result *result)
+{
+    const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
+    int32_t status = HOLONOM_OK;
+    int stages = 1;
+    result->method = COMPOSED;
+    keep_state(c, c->k.pair_backup);
+    stage(order, 0, &stages);
+    begin_halves(c, 2 * stages);
+    c->n_kept_forces = 0;
+    for (int i = 0; i < stages; i++) {
+        const double half = 0.5 * h * stage(order, i, &stages);
+        status = single_step(c, half, 2 * i);
+        if (!status) status = single_step(c, half, 2 * i + 1);
+        if (status) return status;
+        average_multipliers(c, c->t - half);
+        keep_forces(c, c->s.head[S_MEAN_TIME], c->s.mean);
+    }
+    /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
+    return order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated) ? HOLONOM_DAMPING_REVERSED : HOLONOM_OK;
+}
+
+/* Takes an internal step by the method in use, or by another one where that cannot. */
+static int32_t take_step(context *c, double h, step_result *result)
 {
     int order = (int)c->s.head[S_ORDER_IN_USE];
-    int32_t status = HOLONOM_OK;
-    c->way = UNTAKEN;
+    result->method = UNTAKEN;
     if (c->s.head[S_EXPLICIT] != 0.0 && is_explicit_order(order) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
-        status = runge_kutta_step(c, h);
-        if (status || c->way == EXPLICIT) return status;
+        const int32_t status = runge_kutta_step(c, h, result);
+        if (status || result->method == EXPLICIT) return status;
         undo_step(c, t, law_time);
     }
     if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 6; /* of order 4 nothing tells how fast differences fall, at a kink for one */
     const int is_judged = c->tolerance > 0.0;
     const int is_first = c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
-    if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1);
-    if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0);
-    c->way = COMPOSED;
-    const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
-    keep_state(c, c->k.pair_backup);
-    int stages = 1;
-    stage(order, 0, &stages);
-    begin_halves(c, 2 * stages);
-    c->n_kept_forces = 0;
-    for (int i = 0; i < stages && !status; i++) {
-        const double half = 0.5 * h * stage(order, i, &stages);
-        status = single_step(c, half, 2 * i);
-        if (!status) status = single_step(c, half, 2 * i + 1);
-        if (status) break;
-        average_multipliers(c, c->t - half);
-        keep_forces(c, c->s.head[S_MEAN_TIME], c->s.mean);
-    }
-    /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
-    if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
-    return status;
+    if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1, result);
+    if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0, result);
+    return composed_step(c, h, order, result);
 }
 
 /* One internal step of length h. */
 static int32_t internal_step(context *c, double h)
 {
     if (mesh_of(c)) begin_row(c, h);
-    const int32_t status = take_step(c, h);
-    if (!status && mesh_of(c)) end_row(c, taken_as(c));
+    const int32_t status = take_step(c, h, &c->last);
+    if (!status && mesh_of(c)) end_row(c, taken_as(&c->last));
     return status;
 }
 
@@ -127,7 +132,7 @@ HM_OFTEN void lower_penalties(context *c)
 static void keep_start(context *c)
 {
     keep_state(c, c->k.event_backup);
-    c->divided = 1;
+    c->event.divided = 1;
 }
 
 /* A step of length h, divided until it can be taken; `left` halvings may follow, UNDIVIDED where none has been. */
@@ -137,7 +142,7 @@ static int32_t step_halving(context *c, double h, int left)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
     if (is_stopped(c)) return HOLONOM_STOPPED;
-    if (left == UNDIVIDED) c->divided = 0;
+    if (left == UNDIVIDED) c->event.divided = 0;
     int32_t status = internal_step(c, h);
     c->careful = status != HOLONOM_OK;
     if (!status) return HOLONOM_OK;
@@ -149,7 +154,7 @@ static int32_t step_halving(context *c, double h, int left)
     }
     if (left == UNDIVIDED) left = most_halvings(c, h, status);
     if (left == 0 || slides_in_space(c)) return status; /* a slip may stop in it: the piece is cut instead */
-    if (is_unilateral(c->m) && !c->divided) keep_start(c);
+    if (is_unilateral(c->m) && !c->event.divided) keep_start(c);
     status = step_halving(c, 0.5 * h, left - 1);
     return status ? status : step_halving(c, 0.5 * h, left - 1);
 }

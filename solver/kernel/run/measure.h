@@ -86,7 +86,7 @@ HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
     memcpy(y->multiplier, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
     memcpy(c->k.mu, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
     if (!status && m->n_driven) status = forces_at_state(c);
-    for (int32_t k = 0; k < DIM * m->n_driven && !status; k++) y->driven_force[k] = c->k.momentum[DIM * m->n_free + k] / AT_STATE;
+    for (int32_t k = 0; k < DIM * m->n_driven && !status; k++) y->driven_force[k] = c->k.momentum[DIM * m->n_free + k];
     take_state(c, c->k.whole_backup);
     set_laws(c, c->t, 0);
     return status;

@@ -112,7 +112,7 @@ static double distance_from(const context *c, const double *pose)
 }
 
 /* Turns the body with first director a by 2 atan(|turn|/2) about `turn`. */
-static void turn_once_by(const context *c, int32_t a, const double *turn)
+static void turn_once_by(context *c, int32_t a, const double *turn)
 {
     double t[TURNING], size2 = 0.0;
     for (int k = 0; k < TURNING; k++) t[k] = 0.5 * turn[k], size2 += t[k] * t[k];
@@ -261,7 +261,7 @@ static void begin_closing(const context *c, closing *x)
 static int32_t function_of_row(const context *c, int32_t i) { return i - c->m->n_form_rows - DIM * c->m->n_coincidences; }
 
 /* Adds turns to the angles that row i reads; returns how many these are. */
-static int add_turns(const context *c, int32_t i, double count)
+static int add_turns(context *c, int32_t i, double count)
 {
     const holonom_model *m = c->m;
     const int32_t j = first_function(c) + function_of_row(c, i);
@@ -276,7 +276,7 @@ static int add_turns(const context *c, int32_t i, double count)
 }
 
 /* Whether row i follows signals and reads an angle, whose full turns count. */
-static int is_driven_angle(const context *c, int32_t i) { return function_of_row(c, i) >= 0 && is_driver(c, i) && add_turns(c, i, 0.0); }
+static int is_driven_angle(context *c, int32_t i) { return function_of_row(c, i) >= 0 && is_driver(c, i) && add_turns(c, i, 0.0); }
 
 /* Takes the pose `begun` with those turns of angles that are counted at present, if it has the gaps aimed at then; whether it has. */
 static int recurs(closing *x, const double *begun)
@@ -285,7 +285,7 @@ static int recurs(closing *x, const double *begun)
     double *now = at->k.pair_backup;
     keep_state(at, now);
     take_state(at, begun);
-    memcpy(at->s.turns, now + (at->s.turns - at->s.head), sizeof(double) * (size_t)at->m->n_quantities);
+    take_section(at, at->s.turns, at->m->n_quantities, now);
     look_at_gaps(x, 0.0);
     if (is_closed_now(x)) return 1;
     take_state(at, now);
@@ -328,7 +328,7 @@ static void wind_row(closing *x, int32_t i)
 }
 
 /* Counts the full turns that drivers ask for at the start, so that what is left of each is less than half a turn. */
-HM_SELDOM static void wind(const context *c)
+HM_SELDOM static void wind(context *c)
 {
     closing x;
     keep_state(c, c->k.whole_backup);
@@ -357,7 +357,7 @@ static int can_move(closing *x)
     for (int32_t a = 0; a < at->m->n_free; a = next_unknown(at, a))
         for (int k = 0; k < unknown_size(at, a); k++)
             left -= at->k.momentum[DIM * a + k] * at->k.rhs[at->lu->node_position[a] + k];
-    return !(AT_STATE * fabs(left) < 1e-4 * all);
+    return !(fabs(left) < 1e-4 * all);
 }
 
 /* Tries from shaken drawings. Where a pose is `known`, which lies in pair_backup, some tell whether there are others; else the nearest

@@ -188,7 +188,7 @@ enum {
 };
 
 /* Opens closed contacts that pull, and closes open ones that overlap, or the first of these; 0 if none does. */
-static int change_objecting(const context *c, int the_first)
+static int change_objecting(context *c, int the_first)
 {
     const double most = PENETRATION * c->number[c->m->extent_at];
     int changed = 0;
@@ -212,7 +212,7 @@ static int32_t seek_contacts(context *c, double h, double *size)
         if ((status = seek_step(c, h, 0, size))) break;
         take_over(c);
         if (!change_objecting(c, choice >= FREE_CHOICES)) return HOLONOM_OK;
-        memcpy(c->s.q, begun + (c->s.q - c->s.head), 2 * sizeof(double) * (size_t)(DIM * c->n_moving));
+        take_motion_back(c, begun);
     }
     take_state(c, begun);
     return status ? status : HOLONOM_NEWTON_DIVERGED;

@@ -124,16 +124,14 @@ static int32_t derive_scales(context *c)
 /* Velocity that momenta of 1 give a node of 1 kg where rows and drivers leave it none: round-off. */
 #define NO_FREEDOM 1e-9
 
-/* Length of the step without forces whose tangent is the matrix of solve_at_state. */
-#define AT_STATE 1.4142135623730951
 #define AT_STATE_PENALTY 1e8
 
-/* Context of the equations of solve_at_state, with links at the present state. */
+/* Context of the equations of solve_at_state, with links at the present state: a tangent without a step. */
 static context rows_at_state(const context *c)
 {
     context rows = *c;
     rows.lu = &c->m->full;
-    rows.h = AT_STATE;
+    rows.h = 1.0;
     rows.constraints_only = rows.at_state = 1;
     for (int k = 0; k < NEAR_LISTS; k++) rows.near[k] = NULL;
     rows.row = c->all_row, rows.composite = c->all_composite;
@@ -152,13 +150,13 @@ static int32_t factorise_at_state(const context *c, const double *weight)
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
-        EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += AT_STATE * (both - 1.0) * c->number[m->mass_at + e];
+        EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += (both - 1.0) * c->number[m->mass_at + e];
     }
     return factorise_matrix(&rows);
 }
 
 /* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the present links; a sliding
-   row has mu - (that of its cone) = g instead. f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order
+   row has mu - (that of its cone) = g instead. f is `momentum`, g is `phi` (both not modified); x in rhs order
    of the unknowns; regularised and iterated so that dependent rows do no harm.                                  */
 static void solve_with_factors(const context *c)
 {
@@ -208,7 +206,7 @@ static void add_leaf_force(const context *at, int32_t j, const int32_t *entry, c
     }
 }
 
-/* Adds to momentum AT_STATE times the forces of elements with these coefficients at rates of what they measure in the motion x. */
+/* Adds to momentum the forces of elements with these coefficients at rates of what they measure in the motion x. */
 static int32_t add_forces_of_elements(const context *at, int64_t coefficient_at, const double *x)
 {
     const holonom_model *m = at->m;
@@ -222,13 +220,12 @@ static int32_t add_forces_of_elements(const context *at, int64_t coefficient_at,
         const int32_t status = set_leaf(at, entry, 0, &leaf);
         if (status) return status;
         quantity_at(at, entry[1], at->s.q, at->s.q_low, x, &rate);
-        add_leaf_force(at, j, entry, &leaf, AT_STATE * coefficient * rate);
+        add_leaf_force(at, j, entry, &leaf, coefficient * rate);
     }
     return HOLONOM_OK;
 }
 
-/* Residual at the state, sqrt 2 (M w + G' mu - Q), with the dampers' forces from the velocities. There is no step: its length is
-   AT_STATE. */
+/* Residual at the state, M w + G' mu - Q, with the dampers' forces from the velocities. */
 static int32_t residual_at_state(const context *at)
 {
     const holonom_model *m = at->m;
@@ -240,17 +237,17 @@ static int32_t residual_at_state(const context *at)
         if (!is_damped(at, j)) continue;
         if ((status = composite_slopes(at, j, SLOPES_ALONE, &unused))) break;
         const double share = damping_at_state(at, j, &power);
-        add_slopes(at, j, AT_STATE * share);
+        add_slopes(at, j, share);
     }
     if (is_reduced(at)) reduce_momentum(at);
     return status;
 }
 
-/* momentum = -sqrt 2 Q (and M a of driven nodes, in w) at the state. */
+/* momentum = -Q (and M a of driven nodes, in w) at the state. */
 HM_SELDOM static int32_t forces_at_state(const context *c)
 {
     context at = *c;
-    at.h = AT_STATE;
+    at.h = 1.0;
     at.at_state = 1;
     return residual_at_state(&at);
 }
@@ -372,7 +369,7 @@ HM_SELDOM static void row_biases(context *c)
     memcpy(c->k.w + DIM * m->n_free, c->k.signal_bend, sizeof(double) * (size_t)(DIM * m->n_driven));
 }
 
-HM_SELDOM static void forget_dependent_rows(const context *c)
+HM_SELDOM static void forget_dependent_rows(context *c)
 {
     for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
 }
@@ -523,7 +520,7 @@ static int32_t first_multipliers(context *c)
     memcpy(c->s.a[1], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t b = 0; b < n_bodies(m); b++) common_turn(c, m->body_node[b], c->k.w + DIM * m->body_node[b], c->s.turn[0] + TURNING * b);
     memcpy(c->s.turn[1], c->s.turn[0], sizeof(double) * (size_t)(TURNING * n_bodies(m)));
-    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k] / AT_STATE;
+    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k];
     memcpy(c->s.driven[1], c->s.driven[0], driven);
     memcpy(c->s.driven_mean, c->s.driven[0], driven);
     memcpy(c->s.driven_mean_before, c->s.driven[0], driven);

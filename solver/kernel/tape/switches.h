@@ -50,7 +50,7 @@ HM_SELDOM static void run_arguments(const context *c, double t)
 /* When sides or inputs change, another switch may be the next one. */
 static void seek_stop_anew(context *c)
 {
-    c->stop = NAN;
+    c->switches.next = NAN;
     c->s.head[S_QUIET_UNTIL] = -1e300; /* a state is finite */
 }
 
@@ -166,19 +166,19 @@ HM_SELDOM static double next_stop(context *c, double t, double end)
 {
     const holonom_model *m = c->m;
     const double law_time = c->number[m->time_at];
-    if (c->stop == c->stop) return c->stop;
-    c->stop = INFINITY;
-    if (m->n_motion_switches == m->n_switches || end < c->s.head[S_QUIET_UNTIL]) return c->stop;
+    if (c->switches.next == c->switches.next) return c->switches.next;
+    c->switches.next = INFINITY;
+    if (m->n_motion_switches == m->n_switches || end < c->s.head[S_QUIET_UNTIL]) return c->switches.next;
     const double last = move_inputs(c) ? end : end + LOOKS_AHEAD * (end - c->start);
     for (int32_t k = 0; k < m->n_switches; k++) {
         int left = MOST_RANGES;
         if (switch_of(c, k)->is_of_motion) continue;
-        c->stop = fmin(c->stop, leaves_between(c, switch_of(c, k), c->s.side[k], t, fmin(c->stop, last), 0, &left));
+        c->switches.next = fmin(c->switches.next, leaves_between(c, switch_of(c, k), c->s.side[k], t, fmin(c->switches.next, last), 0, &left));
     }
-    const double known = fmin(c->stop, last);
+    const double known = fmin(c->switches.next, last);
     c->s.head[S_QUIET_UNTIL] = known - 4.0 * rounding_of_time(known, end - c->start);
     set_laws(c, law_time, 0);
-    return c->stop;
+    return c->switches.next;
 }
 
 #endif

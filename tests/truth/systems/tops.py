@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tests.reduced_models import (
+from tests.support.mechanisms.reduced_models import (
     Top,
     integrate,
     matrix_of,

@@ -1,0 +1,1 @@
+"""Time, instructions and memory of a process, and programs that are measured."""

@@ -1,0 +1,1 @@
+"""The problems that are measured, and where they are at their end."""

@@ -1,0 +1,51 @@
+"""A function of the kernel that takes a const context changes nothing that a state keeps."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+KERNEL = Path(__file__).parents[2] / "solver/kernel"
+FUNCTION = re.compile(
+    r"^[\w ]+?[ *]+(\w+)\([^;{}]*?const context \*(\w+)[^;{}]*?\)\s*\n?\{", re.MULTILINE
+)
+WRITES = r" ?(?:=(?!=)|\+=|-=|\*=|\|=|\+\+|--)"
+PLACE = r"(?:\[(?:[^\[\]]|\[[^\]]*\])*\])+"
+
+
+def functions(text: str) -> Iterator[tuple[str, str, str]]:
+    """Yield name, context and body of each function with a const context."""
+    for found in FUNCTION.finditer(text):
+        line = text[found.end() : text.find("\n", found.end())]
+        end = found.end() + len(line) if line.endswith("}") else text.find("\n}", found.end())
+        yield found[1], found[2], text[found.end() : end]
+
+
+def writes_the_state(context: str, body: str) -> bool:
+    """Tell whether a body assigns to the state, or to what it has a pointer to it for."""
+    parts = rf"(?:{context}->(?:s\.\w+|island)|(?:contact|friction)_of\({context})\b"
+    pointers = re.findall(rf"(?<!const )double \*(?:const )?(\w+) = {parts}", body)
+    places = [rf"(?<![\w.>]){pointer}{PLACE}" for pointer in pointers]
+    places += [rf"{context}->(?:s\.\w+|island){PLACE}"]
+    places += [rf"(?:contact|friction)_of\({context}[^)]*\){PLACE}"]
+    written = [f"{place}{WRITES}" for place in places]
+    written += [rf"(?:hm_add|memcpy|memset)\({context}->s\."]
+    return any(re.search(x, body) for x in written)
+
+
+def test_functions_with_a_const_context_leave_the_state_as_it_is():
+    liars = [
+        f"{path.name}: {name}"
+        for path in KERNEL.rglob("*.h")
+        for name, context, body in functions(path.read_text("utf-8"))
+        if writes_the_state(context, body)
+    ]
+    assert not liars
+
+
+def test_a_function_that_changes_the_state_is_found():
+    text = "void stop(const context *c)\n{\n    double *x = friction_of(c, 0);\n    x[0]++;\n}\n"
+    ((name, context, body),) = functions(text)
+    assert name == "stop"
+    assert writes_the_state(context, body)
