@@ -237,38 +237,35 @@ def _counts(counts: dict[str, str], formulas: Iterable[str], sizes: Iterable[str
     ]
 
 
-TAKE = """HM_OFTEN double *take(double *block, int64_t *used, int64_t count)
-{
-    double *start = block ? block + *used : 0;
-    *used += count;
-    return start;
-}
-"""
-
-
 def _field(name: str) -> str:
     """Return what a vector is called in C: a first and a second one are an array."""
     return name.replace("_first", "[0]").replace("_second", "[1]")
 
 
 def _sections(layout: Mapping[str, Any], scratch: Mapping[str, Any]) -> Iterator[str]:
-    """Yield functions that lay the vectors of a structure over a block, and return its length."""
-    yield TAKE
+    """Yield functions that lay the vectors of a structure over a block, and those of its length."""
     counts = layout["COUNTS"] | scratch["COUNTS"]
     groups = [f"n_{group}" for group in layout["GROUPS"]]
     for name, lengths, kept in (
         ("state", {"head": "S_HEAD"} | layout["STATE"], groups), ("work", scratch["WORK"], []),
         ("measured", layout["MEASURED"], []),
     ):  # fmt: skip
+        counted = _counts(counts, lengths.values(), layout["SIZES"])
+        in_c = {field: _in_c(length, layout["SIZES"]) for field, length in lengths.items()}
+        terms = "\n        + ".join(f"({length})" for length in in_c.values())
+        yield "\n".join([
+            f"int64_t hm_size_of_{name}(const holonom_model *m)\n{{",
+            *counted, f"    return {terms};\n}}\n",
+        ])  # fmt: skip
         yield "\n".join([
             f"int64_t hm_map_{name}(const holonom_model *m, double *block, hm_{name} *x)\n{{",
             *_counts(counts, [*lengths.values(), *kept], layout["SIZES"]),
-            "    int64_t used = 0;", *(f"    x->{count} = {count};" for count in kept),
+            "    const double *begin = block;", *(f"    x->{count} = {count};" for count in kept),
             *(
-                f"    x->{_field(field)} = take(block, &used, {_in_c(length, layout['SIZES'])});"
-                for field, length in lengths.items()
+                f"    x->{_field(field)} = block, block += {length};"
+                for field, length in in_c.items()
             ),
-            "    return used;\n}\n",
+            "    return block - begin;\n}\n",
         ])  # fmt: skip
 
 

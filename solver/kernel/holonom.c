@@ -10,20 +10,17 @@ int32_t holonom_dimension(void) { return DIM; }
 
 int64_t holonom_state_size(const holonom_model *m)
 {
-    hm_state ignored;
-    return hm_map_state(m, NULL, &ignored);
+    return hm_size_of_state(m);
 }
 
 int64_t holonom_work_size(const holonom_model *m)
 {
-    hm_work ignored;
-    return hm_map_work(m, NULL, &ignored);
+    return hm_size_of_work(m);
 }
 
 int64_t holonom_measured_size(const holonom_model *m)
 {
-    hm_measured ignored;
-    return hm_map_measured(m, NULL, &ignored);
+    return hm_size_of_measured(m);
 }
 
 double holonom_operate(int32_t code, const double *value, int32_t count)

@@ -218,6 +218,9 @@ static inline double hm_look_up(int32_t code, const double *x, const double *fir
 #define SPLIT_SCRATCH(rows) ((int64_t)(rows) * (5 * (int64_t)(rows) + 16))
 
 /* Lays the named vectors over one block; each returns the number of doubles used. */
+int64_t hm_size_of_state(const holonom_model *model);
+int64_t hm_size_of_work(const holonom_model *model);
+int64_t hm_size_of_measured(const holonom_model *model);
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);
 int64_t hm_map_work(const holonom_model *model, double *block, hm_work *work);
 int64_t hm_map_measured(const holonom_model *model, double *block, hm_measured *measured);

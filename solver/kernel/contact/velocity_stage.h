@@ -153,7 +153,7 @@ static void let_take_part(const hit *x, const double *W, const double *rate, int
 /* Impulses by the sequential law: the contact that approaches fastest is hit alone, again and again, until none approaches. What was
    closed rebounds if others drive it together. One that does not rebound takes along all that touch. The rate before of a contact that
    is hit is then that of its first hit. 0, or 1 if no impulses were found. */
-static int solve_in_sequence(const context *c, hit *x)
+static int solve_in_sequence(context *c, hit *x)
 {
     const int32_t n = x->law.rows;
     double *W = c->k.rest, *rate = W + (int64_t)n * n, *impulse = rate + n, *before = impulse + n, *own = before + n;
@@ -189,7 +189,7 @@ static int solve_in_sequence(const context *c, hit *x)
 }
 
 /* Impulses by the law of the scene; 0, or 1 if none were found. */
-static int solve_landing(const context *c, hit *x)
+static int solve_landing(context *c, hit *x)
 {
     if (c->s.head[S_IMPACT_LAW] != 0.0) return solve_in_sequence(c, x);
     for (int32_t k = 0; k < x->law.contacts; k++) x->restitution[k] = restitution_of_hit(c, x, k, x->before[x->first[k]], 0);

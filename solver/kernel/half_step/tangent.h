@@ -34,6 +34,14 @@ HM_OFTEN void add_curves(const context *c, int32_t i, int32_t forms, int32_t siz
 {
     const double *gradient = c->k.gradient + size * i;
     int acts = 0;
+    if (forms == 1) {
+        for (int32_t a = 0; a < size; a++) {
+            const double x = c->k.curve[0] * gradient[a];
+            double *row = c->k.block + size * a;
+            for (int32_t b = 0; b < size; b++) row[b] += x * c->k.gradient_end[b];
+        }
+        return;
+    }
     for (int32_t k = 0; k < forms; k++) acts |= c->k.curve[forms * i + k] != 0.0;
     for (int32_t b = 0; b < size && acts; b++) {
         double *column = c->k.block + b, sum = 0.0;
@@ -88,9 +96,10 @@ static int32_t composite_tangent(const context *c, double *value)
         if (((is_lean(c) || c->constraints_only) && !row) || state == ROW_IS_OFF) continue;
         const double factor = row ? c->h * c->k.mu[row_of(c, j)] : c->h;
         const int is_stiff = !is_lean(c) && factor != 0.0 && !(c->soft && state == ROW_IS_SLIDING);
-        const int32_t status = next_slopes(c, before, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS, &result);
+        const int asked = is_stiff ? WITH_STIFFNESS : WITH_ENDS, is_next = is_next_slip(c, before, j, asked);
+        const int32_t status = next_slopes(c, is_next, j, asked, &result);
         if (status) return status;
-        if (!is_next_slip(c, before, j, is_stiff ? WITH_STIFFNESS : WITH_ENDS)) size = local_gradients(c, j);
+        if (!is_next) size = local_gradients(c, j);
         before = j;
         if (!is_lean(c) && !is_stiff) slot += size * size;
         if (is_stiff) {
@@ -227,7 +236,7 @@ static int32_t add_composites(const context *c)
         const int is_first = summed < 0 || !is_next_slip(c, summed, j, SLOPES_ALONE);
         if (summed >= 0 && is_first) add_slopes(c, summed, 1.0, c->k.slope_sum);
         summed = -1;
-        const int32_t status = next_slopes(c, before, j, SLOPES_ALONE, &result);
+        const int32_t status = next_slopes(c, is_next_slip(c, before, j, SLOPES_ALONE), j, SLOPES_ALONE, &result);
         if (status) return status;
         before = j;
         double factor = c->h;

@@ -238,7 +238,8 @@ double hm_value(const int32_t *operation, int32_t n_leaves, int32_t n_operations
             continue;
         }
         const double a = number_or_register(op[1], numbers, x), b = number_or_register(op[2], numbers, x);
-        *result++ = op[0] == T_MUL ? a * b : op[0] == T_ADD ? a + b : a - b;
+        if (op[0] == T_MUL) *result++ = a * b;
+        else *result++ = op[0] == T_ADD ? a + b : a - b;
     }
     return result[-1];
 }

@@ -246,14 +246,14 @@ static double gather_slopes(const context *c, int32_t j)
 static int32_t function_slopes(const context *c, int32_t j, int asked, int is_next, composite_result *result)
 {
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
-    const int straight = asked && is_linear(c, j);
+    const int is_velocity = is_point_function(c, j), straight = asked && is_linear(c, j);
     const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
-    const int at_mean = is_point_function(c, j), is_point = asked && !straight && at_mean;
+    const int is_point = asked && !straight && is_velocity;
     const int32_t status = is_next ? HOLONOM_OK : set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
     if (status) return status;
-    if (!is_next && !at_mean) load_registers(c, j, OVER_STEP);
-    if (!is_next && at_mean) load_means(c, j);
-    const int32_t last = at_mean ? run_velocity_row(c, j, asked, is_next) : run_function(c, j);
+    if (!is_next && !is_velocity) load_registers(c, j, OVER_STEP);
+    if (!is_next && is_velocity) load_means(c, j);
+    const int32_t last = is_velocity ? run_velocity_row(c, j, asked, is_next) : run_function(c, j);
     damp_slopes(c, j);
     leaf_state *leaf = (leaf_state *)c->k.leaves;
     for (int32_t l = 0; l < n && (straight || is_point); l++) leaf[l].n_end = c->k.r.adjoint[l];
@@ -271,11 +271,9 @@ static inline int is_next_slip(const context *c, int32_t before, int32_t j, int 
     return before >= 0 && before == j - 1 && asked != WITH_STIFFNESS && is_velocity_row(c, j) && c->m->function_known[j - first_function(c)] > 0;
 }
 
-/* Slopes of composite j; a row's function value is that over phi_0. `before`: the composite whose slopes were computed last, at the
-   same place; -1: any. */
-static int32_t next_slopes(const context *c, int32_t before, int32_t j, int asked, composite_result *result)
+/* Slopes of composite j; a row's function value is that over phi_0. `is_next`: it follows as a slip does, is_next_slip. */
+static int32_t next_slopes(const context *c, int is_next, int32_t j, int asked, composite_result *result)
 {
-    const int is_next = is_next_slip(c, before, j, asked);
     if (!is_next) set_local_forms(c, j, c->theta);
     if (j < first_function(c)) return element_law(c, j, asked, result);
     if (is_seeking(c) && is_velocity_row(c, j)) { /* velocities do not bind positions */
@@ -291,7 +289,7 @@ static int32_t next_slopes(const context *c, int32_t before, int32_t j, int aske
 
 static int32_t composite_slopes(const context *c, int32_t j, int asked, composite_result *result)
 {
-    return next_slopes(c, -1, j, asked, result);
+    return next_slopes(c, 0, j, asked, result);
 }
 
 /* Value of function j, without slopes, of the leaves in r0, where that many of its operations have their results. */
