@@ -85,7 +85,6 @@ typedef struct impact_path {
     int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
     int all_rise; /* whether walls that wait rise as well                                                          */
     int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
-    int turning_steps; /* so far, of all pieces                                                                     */
 } impact_path;
 
 static inline impact_path sweep_map(hm_impact *x)

@@ -246,7 +246,7 @@ static inline int slip_stops(const impact_path *s)
     return 0;
 }
 
-enum { MOST_TURNING_STEPS = 5000 /* of all pieces of a path */, MOST_SEARCHES = 60, MOST_REFUSED = 20 };
+enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60, MOST_REFUSED = 20 };
 
 /* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it.
    Returns the error of the step over what is allowed.                                                            */
@@ -281,7 +281,7 @@ HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, dou
     return error;
 }
 
-/* Follows a turning piece until an event; 0, or 1 if it does not get on, or the path has taken all its steps. */
+/* Follows a turning piece until an event; 0, or 1 if it does not get on. */
 HM_SELDOM static int go_round(impact_path *s)
 {
     hm_impact *x = s->x;
@@ -289,7 +289,7 @@ HM_SELDOM static int go_round(impact_path *s)
     double *end = s->stage + 12 * (int64_t)n, *gamma = end + n, h = 0.1, done = 0.0;
     int refused = 0;
     fix_statuses(s);
-    for (; s->turning_steps < MOST_TURNING_STEPS; s->turning_steps++) {
+    for (int step = 0; step < MOST_TURNING_STEPS; step++) {
         s->by_path = 0;
         rates_in_piece(s, s->gamma, s->q);
         const double size = size_of_rates(s, s->q);
@@ -329,7 +329,7 @@ HM_SELDOM static int go_round(impact_path *s)
         h *= fmin(6.0, 0.9 * hm_pow(fmax(error, 1e-10), -0.125));
     }
     s->by_law = 0;
-    return !(done > 0.0) || s->turning_steps == MOST_TURNING_STEPS;
+    return !(done > 0.0);
 }
 
 #endif
