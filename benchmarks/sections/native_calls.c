@@ -1,10 +1,12 @@
-/* How long a host in C takes for calls of a native FMU, beside the core's own step of the same model (benchmarks/sections/native.py):
+/* How long a host in C takes for calls of a native FMU, beside the core's own step of the same
+   model (benchmarks/sections/native.py):
 
        native_calls LIBRARY RESOURCES GUID KERNEL STEP COUNT REPETITIONS WHAT REFERENCE...
 
-   RESOURCES is a folder, KERNEL a library of the core with the same sources and flags, STEP in s, COUNT of communication steps.
-   WHAT has a letter for each thing that is done, and a line "letter seconds" is written for each: the least CPU time of the
-   repetitions, of COUNT calls or 20 runs. */
+   RESOURCES is a folder, KERNEL a library of the core with the same sources and flags, STEP in s,
+   COUNT of communication steps. WHAT has a letter for each thing that is done, and a line "letter
+   seconds" is written for each: the least CPU time of the repetitions, of COUNT calls or 20
+   runs. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "fmi2.h"
@@ -16,27 +18,31 @@
 #include <string.h>
 #include <time.h>
 
-#define FUNCTIONS(X) \
-    X(fmu, fmi2_component, fmi2Instantiate, (fmi2_text, int, fmi2_text, fmi2_text, const fmi2_callbacks *, fmi2_boolean, fmi2_boolean)) \
-    X(fmu, void, fmi2FreeInstance, (fmi2_component)) \
-    X(fmu, fmi2_status, fmi2SetupExperiment, (fmi2_component, fmi2_boolean, double, double, fmi2_boolean, double)) \
-    X(fmu, fmi2_status, fmi2EnterInitializationMode, (fmi2_component)) \
-    X(fmu, fmi2_status, fmi2ExitInitializationMode, (fmi2_component)) \
-    X(fmu, fmi2_status, fmi2Reset, (fmi2_component)) \
-    X(fmu, fmi2_status, fmi2DoStep, (fmi2_component, double, double, fmi2_boolean)) \
-    X(fmu, fmi2_status, fmi2GetReal, (fmi2_component, const fmi2_reference *, size_t, double *)) \
-    X(fmu, fmi2_status, fmi2GetFMUstate, (fmi2_component, fmi2_saved *)) \
-    X(fmu, fmi2_status, fmi2SetFMUstate, (fmi2_component, fmi2_saved)) \
-    X(core, int64_t, holonom_instance_size, (const void *, int64_t, char *, int64_t)) \
-    X(core, holonom_instance *, holonom_make, (const void *, void *, int32_t)) \
-    X(core, int32_t, holonom_assemble, (holonom_instance *)) \
-    X(core, int32_t, holonom_get, (holonom_instance *, const int32_t *, int32_t, double *)) \
-    X(core, const holonom_model *, holonom_model_of, (const holonom_instance *)) \
-    X(core, double *, holonom_numbers_of, (holonom_instance *)) \
-    X(core, double *, holonom_state_of, (holonom_instance *)) \
-    X(core, double *, holonom_work_of, (holonom_instance *)) \
-    X(core, int64_t, holonom_state_size, (const holonom_model *)) \
-    X(core, int32_t, holonom_advance, (const holonom_model *, double *, double *, double *, double, holonom_watch *, holonom_mesh *))
+#define FUNCTIONS(X)                                                                               \
+    X(fmu, fmi2_component, fmi2Instantiate,                                                        \
+      (fmi2_text, int, fmi2_text, fmi2_text, const fmi2_callbacks *, fmi2_boolean, fmi2_boolean))  \
+    X(fmu, void, fmi2FreeInstance, (fmi2_component))                                               \
+    X(fmu, fmi2_status, fmi2SetupExperiment,                                                       \
+      (fmi2_component, fmi2_boolean, double, double, fmi2_boolean, double))                        \
+    X(fmu, fmi2_status, fmi2EnterInitializationMode, (fmi2_component))                             \
+    X(fmu, fmi2_status, fmi2ExitInitializationMode, (fmi2_component))                              \
+    X(fmu, fmi2_status, fmi2Reset, (fmi2_component))                                               \
+    X(fmu, fmi2_status, fmi2DoStep, (fmi2_component, double, double, fmi2_boolean))                \
+    X(fmu, fmi2_status, fmi2GetReal, (fmi2_component, const fmi2_reference *, size_t, double *))   \
+    X(fmu, fmi2_status, fmi2GetFMUstate, (fmi2_component, fmi2_saved *))                           \
+    X(fmu, fmi2_status, fmi2SetFMUstate, (fmi2_component, fmi2_saved))                             \
+    X(core, int64_t, holonom_instance_size, (const void *, int64_t, char *, int64_t))              \
+    X(core, holonom_instance *, holonom_make, (const void *, void *, int32_t))                     \
+    X(core, int32_t, holonom_assemble, (holonom_instance *))                                       \
+    X(core, int32_t, holonom_get, (holonom_instance *, const int32_t *, int32_t, double *))        \
+    X(core, const holonom_model *, holonom_model_of, (const holonom_instance *))                   \
+    X(core, double *, holonom_numbers_of, (holonom_instance *))                                    \
+    X(core, double *, holonom_state_of, (holonom_instance *))                                      \
+    X(core, double *, holonom_work_of, (holonom_instance *))                                       \
+    X(core, int64_t, holonom_state_size, (const holonom_model *))                                  \
+    X(core, int32_t, holonom_advance,                                                              \
+      (const holonom_model *, double *, double *, double *, double, holonom_watch *,               \
+       holonom_mesh *))
 #define DECLARE(library, result, name, arguments) static result(*call_##name) arguments;
 FUNCTIONS(DECLARE)
 
@@ -59,7 +65,8 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void hear(void *environment, fmi2_text instance, fmi2_status status, fmi2_text category, fmi2_text message, ...)
+static void hear(void *environment, fmi2_text instance, fmi2_status status, fmi2_text category,
+                 fmi2_text message, ...)
 {
     (void)environment, (void)instance, (void)status, (void)category;
     fprintf(stderr, "%s\n", message);
@@ -80,7 +87,7 @@ static char *contents(const char *folder, const char *name, int64_t *length)
     return bytes;
 }
 
-/* ------------------------------------------------------------------------------------- what is timed, COUNT times */
+/* ------------------------------------------------------------------- what is timed, COUNT times */
 
 static const fmi2_callbacks callbacks = {.logger = hear};
 static const char *guid, *uri;
@@ -94,7 +101,8 @@ static int count, n_references;
 static fmi2_reference *reference;
 static double *value;
 
-static fmi2_component made(void) { return call_fmi2Instantiate("timed", FMI2_CO_SIMULATION, guid, uri, &callbacks, 0, 0); }
+static fmi2_component made(void)
+{ return call_fmi2Instantiate("timed", FMI2_CO_SIMULATION, guid, uri, &callbacks, 0, 0); }
 
 static void start(void)
 {
@@ -107,14 +115,16 @@ static void go_back(void) { call_fmi2SetFMUstate(fmu, kept); }
 
 static void steps(void)
 {
-    for (int k = 1; k <= count; k++) require(!call_fmi2DoStep(fmu, k * h, h, 1), "fmi2DoStep fails");
+    for (int k = 1; k <= count; k++)
+        require(!call_fmi2DoStep(fmu, k * h, h, 1), "fmi2DoStep fails");
 }
 
 static void core_goes_back(void) { memcpy(state, state_kept, state_bytes); }
 
 static void core_step(double t)
 {
-    require(!call_holonom_advance(model, numbers, state, work, (t - state[S_TIME]) + h, NULL, NULL), "holonom_advance fails");
+    require(!call_holonom_advance(model, numbers, state, work, (t - state[S_TIME]) + h, NULL, NULL),
+            "holonom_advance fails");
     state[S_TIME] = t + h;
 }
 
@@ -157,27 +167,33 @@ static void runs(void)
 
 static void nothing(void) {}
 
-static const struct { char letter; void (*prepare)(void), (*repeat)(void); } timed[] = {
-    {'d', go_back, steps}, {'a', core_goes_back, core_steps}, {'g', go_back, reads}, {'s', nothing, copies}, {'i', nothing, instances},
-    {'r', nothing, runs},
+static const struct { char letter; void (*prepare)(void), (*repeat)(void);
+} timed[] = {
+    {'d', go_back, steps},  {'a', core_goes_back, core_steps}, {'g', go_back, reads},
+    {'s', nothing, copies}, {'i', nothing, instances},         {'r', nothing, runs},
 };
 enum { N_TIMED = sizeof timed / sizeof *timed };
 
-/* Both come to the same bits, or their times are not those of the same. Once: the core does not know that its state moved on. */
+/* Both come to the same bits, or their times are not those of the same. Once: the core does not
+   know that its state moved on. */
 static void compare(holonom_instance *core)
 {
     double *other = calloc((size_t)n_references + 1, sizeof *other);
     require(other != NULL, "no memory");
     call_fmi2GetReal(fmu, reference, (size_t)n_references, value);
-    require(!call_holonom_get(core, (const int32_t *)reference, n_references, other), "holonom_get fails");
-    require(!memcmp(other, value, sizeof *other * (size_t)n_references), "the FMU and the core differ");
+    require(!call_holonom_get(core, (const int32_t *)reference, n_references, other),
+            "holonom_get fails");
+    require(!memcmp(other, value, sizeof *other * (size_t)n_references),
+            "the FMU and the core differ");
     free(other);
 }
 
 int main(int n_arguments, char **argument)
 {
     require(n_arguments > 8, "arguments are missing");
-    void *const library = dlopen(argument[1], RTLD_NOW | RTLD_LOCAL), *const kernel = dlopen(argument[4], RTLD_NOW | RTLD_LOCAL);
+    void *const library = dlopen(argument[1], RTLD_NOW | RTLD_LOCAL), *const kernel = dlopen(
+                                                                          argument[4],
+                                                                          RTLD_NOW | RTLD_LOCAL);
     require(library && kernel, "a library does not load");
 #define FIND(from, result, name, arguments) *(void **)&call_##name = found(of_##from, #name);
     void *const of_fmu = library, *const of_core = kernel;
@@ -204,7 +220,8 @@ int main(int n_arguments, char **argument)
     holonom_instance *const core = call_holonom_make(bytes, malloc((size_t)size), 0);
     require(core && !call_holonom_assemble(core), "the core does not assemble");
     model = call_holonom_model_of(core);
-    numbers = call_holonom_numbers_of(core), state = call_holonom_state_of(core), work = call_holonom_work_of(core);
+    numbers = call_holonom_numbers_of(core), state = call_holonom_state_of(core),
+    work = call_holonom_work_of(core);
     state_bytes = sizeof *state * (size_t)call_holonom_state_size(model);
     core_step(0.0);
     state_kept = malloc(state_bytes);

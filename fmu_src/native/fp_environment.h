@@ -1,5 +1,6 @@
-/* How the processor rounds, and whether it flushes small numbers to zero: the host's own is put aside while the FMU computes, so
-   that a host compiled with -ffast-math gets the same bits, and finds its own again, flags included. */
+/* How the processor rounds, and whether it flushes small numbers to zero: the host's own is put
+   aside while the FMU computes, so that a host compiled with -ffast-math gets the same bits, and
+   finds its own again, flags included. */
 #ifndef HOLONOM_FP_ENVIRONMENT_H
 #define HOLONOM_FP_ENVIRONMENT_H
 
@@ -22,11 +23,14 @@ static inline fp_environment fp_enter(void)
 {
     fp_environment host;
     __asm__ volatile("mrs %0, fpcr" : "=r"(host));
-    __asm__ volatile("msr fpcr, %0" : : "r"((fp_environment)0)); /* to nearest, no traps, subnormal numbers kept */
+    __asm__ volatile("msr fpcr, %0"
+                     :
+                     : "r"((fp_environment)0)); /* to nearest, no traps, subnormal numbers kept */
     return host;
 }
 static inline void fp_leave(fp_environment host) { __asm__ volatile("msr fpcr, %0" : : "r"(host)); }
-#else /* of other processors it is taken as it is: targets without an operating system keep the default */
+#else
+/* Of other processors it is taken as it is: targets without an operating system keep the default. */
 static inline fp_environment fp_enter(void) { return 0; }
 static inline void fp_leave(fp_environment host) { (void)host; }
 #endif

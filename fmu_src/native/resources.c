@@ -25,7 +25,12 @@ hm_bytes hm_model_bytes(const char *folder, int32_t is_uri, hm_text *why)
 enum { LONGEST_PATH = 4096, MOST_BYTES = 1 << 30 };
 static const char NAME[] = "/model.bin";
 
-static int digit_of(char c) { return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1; }
+static int digit_of(char c)
+{
+    return c >= '0' && c <= '9'                 ? c - '0'
+           : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10
+                                                : -1;
+}
 
 /* Whether a text begins with these small letters and signs; capitals are as good. */
 static int begins(const char *text, const char *with)
@@ -35,8 +40,8 @@ static int begins(const char *text, const char *with)
     return 1;
 }
 
-/* Path of file:///a%20b, file:/a, file://localhost/a, file:///C:/a and, on Windows, file://server/share; 0 if it is none. Schemes and
-   hosts have no case (RFC 3986, 6.2.2.1). */
+/* Path of file:///a%20b, file:/a, file://localhost/a, file:///C:/a and, on Windows,
+   file://server/share; 0 if it is none. Schemes and hosts have no case (RFC 3986, 6.2.2.1). */
 static int path_of(const char *uri, char *path, size_t room)
 {
     size_t used = 0;
@@ -63,10 +68,12 @@ static FILE *opened(const char *path)
 #ifdef _WIN32
     /* The prefix takes paths of more than 260 characters; it wants backslashes. */
     wchar_t wide[LONGEST_PATH + 8] = L"\\\\?\\", *own = wide + 4;
-    if (!MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, own, LONGEST_PATH)) return NULL;
+    if (!MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, own, LONGEST_PATH))
+        return NULL;
     for (wchar_t *c = own; *c; c++)
         if (*c == L'/') *c = L'\\';
-    return _wfopen(own[1] == L':' ? wide : own, L"rb"); /* a share, or a path from the present folder, is taken as it is */
+    return _wfopen(own[1] == L':' ? wide : own,
+                   L"rb"); /* a share, or a path from the present folder, is taken as it is */
 #else
     return fopen(path, "rb");
 #endif
@@ -80,7 +87,8 @@ static hm_bytes read_from(FILE *file)
     if (size <= 0 || size > MOST_BYTES) return found;
     void *data = malloc((size_t)size);
     rewind(file);
-    if (data && fread(data, 1, (size_t)size, file) == (size_t)size) found.begin = data, found.length = size;
+    if (data && fread(data, 1, (size_t)size, file) == (size_t)size)
+        found.begin = data, found.length = size;
     else free(data);
     return found;
 }
@@ -91,7 +99,8 @@ hm_bytes hm_model_bytes(const char *folder, int32_t is_uri, hm_text *why)
     const size_t room = sizeof path - sizeof NAME, given = folder ? strlen(folder) : 0;
     hm_bytes found = {NULL, 0, 0};
     if (!given || (is_uri ? !path_of(folder, path, room) : given >= room)) {
-        hm_say(why, "instantiate: %s is no %s of a folder of resources", given ? folder : "NULL", is_uri ? "file URI" : "path");
+        hm_say(why, "instantiate: %s is no %s of a folder of resources", given ? folder : "NULL",
+               is_uri ? "file URI" : "path");
         return found;
     }
     if (!is_uri) memcpy(path, folder, given + 1);

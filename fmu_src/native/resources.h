@@ -12,7 +12,8 @@ typedef struct hm_bytes {
     int32_t is_owned;  /* to be freed by who asked for it */
 } hm_bytes;
 
-/* Bytes of model.bin in a folder, a file URI or a path in UTF-8; begin is NULL where they cannot be read, and `why` says why. */
+/* Bytes of model.bin in a folder, a file URI or a path in UTF-8; begin is NULL where they cannot be
+   read, and `why` says why. */
 hm_bytes hm_model_bytes(const char *folder, int32_t is_uri, hm_text *why);
 
 #endif

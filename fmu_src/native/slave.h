@@ -1,7 +1,8 @@
-/* An instance of an FMU: an instance of the core with the states of the standard, a log, and saved states. fmi2.c and fmi3.c
-   give it the functions of the two versions.
+/* An instance of an FMU: an instance of the core with the states of the standard, a log, and saved
+   states. fmi2.c and fmi3.c give it the functions of the two versions.
 
-   What is refused changes nothing and is answered at once; a step that fails leaves all as it was. */
+   What is refused changes nothing and is answered at once; a step that fails leaves all as it
+   was. */
 #ifndef HOLONOM_SLAVE_H
 #define HOLONOM_SLAVE_H
 
@@ -22,42 +23,51 @@ typedef void (*slave_say_line)(const slave *slave, slave_answer level, const cha
 typedef struct slave_log {
     void *logger, *environment; /* the importer's function, NULL for none, and what it wants back */
     slave_say_line say_line;
-    int32_t wanted;             /* bit k: level k                                               */
-    int32_t is_format;          /* whether a sentence is read as a format of printf             */
+    int32_t wanted;             /* bit k: level k */
+    int32_t is_format;          /* whether a sentence is read as a format of printf */
 } slave_log;
 
-enum { QUIET = 1 << ANSWER_DISCARD | 1 << ANSWER_ERROR, DEBUGGING = QUIET | 1 << ANSWER_OK | 1 << ANSWER_WARNING };
+enum {
+    QUIET = 1 << ANSWER_DISCARD | 1 << ANSWER_ERROR,
+    DEBUGGING = QUIET | 1 << ANSWER_OK | 1 << ANSWER_WARNING
+};
 
 enum { N_CATEGORIES = 4 };
 /* By level, then that of all. */
-static const char *const slave_categories[N_CATEGORIES] = {"logAll", "logStatusWarning", "logStatusDiscard", "logStatusError"};
+static const char *const slave_categories[N_CATEGORIES] = {"logAll", "logStatusWarning",
+                                                           "logStatusDiscard", "logStatusError"};
 
 /* What a slave knows besides its instance. */
 typedef struct slave_memory {
     int32_t phase, is_assembled; /* see slave_parts.h; with the present parameters */
-    int32_t status, refusal;     /* of the last step, 0 where the core knows it; code that an importer reads in its place, or 0 */
+    int32_t status, refusal; /* of the last step, 0 where the core knows it; code that an importer
+                                reads in its place, or 0 */
     double start_time;           /* s */
 } slave_memory;
 
-/* The first two lie where fmu_src/slave.py, which is called where no call can be refused, reads and writes them. */
+/* The first two lie where fmu_src/slave.py, which is called where no call can be refused, reads and
+   writes them. */
 struct slave {
     slave_memory memory;
-    int32_t (*look)(void); /* asked within starts and steps, returns 1 for their end; NULL for none */
+    int32_t (*look)(
+        void); /* asked within starts and steps, returns 1 for their end; NULL for none */
     holonom_instance *instance;
     const hm_model_file *file;
     const void *model; /* bytes that the slave owns, NULL if they are the program's */
     slave_log log;
     int32_t first, status_index; /* value references of the first variable, and of solver.status */
-    double stop_time, last_digit, own_horizon; /* no communication step ends after it, and its last digit; of the model [s] */
+    double stop_time, last_digit,
+        own_horizon; /* no communication step ends after it, and its last digit; of the model [s] */
     double failed_at, shortest, longest;
     int32_t n_failures;         /* in a row from the time failed_at, and the lengths tried [s] */
     hm_text text;
     char name[128];
 };
 
-/* Makes a slave of FMI 2 or 3 of the model in a folder of resources, in FMI 2 a URI, in FMI 3 a path; NULL where it cannot, for a reason
-   that the log has. */
-slave *slave_make(const char *name, const char *guid, const char *resources, int32_t fmi, slave_log log);
+/* Makes a slave of FMI 2 or 3 of the model in a folder of resources, in FMI 2 a URI, in FMI 3 a
+   path; NULL where it cannot, for a reason that the log has. */
+slave *slave_make(const char *name, const char *guid, const char *resources, int32_t fmi,
+                  slave_log log);
 void slave_free(slave *s);
 slave_answer slave_reset(slave *s);
 
@@ -75,14 +85,16 @@ slave_answer slave_step(slave *s, double t, double step);
 slave_answer slave_terminate(slave *s);
 double slave_last_time(const slave *s);
 
-/* Values of variables of one type (TYPE_REAL, ...) by their value references, from 0 in FMI 2 and from 1 in FMI 3, words as their
-   places in a list. What cannot be read is 0 and an error; the others are read all the same. `shown`: how a sentence shows each
-   value, or NULL. */
+/* Values of variables of one type (TYPE_REAL, ...) by their value references, from 0 in FMI 2 and
+   from 1 in FMI 3, words as their places in a list. What cannot be read is 0 and an error; the
+   others are read all the same. `shown`: how a sentence shows each value, or NULL. */
 slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t count, double *value);
-slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count, const double *value, const char *const *shown);
+slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count,
+                       const double *value, const char *const *shown);
 
 /* Derivatives of Real outputs, all of order 1. */
-slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count, const int32_t *order, double *value);
+slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count,
+                                   const int32_t *order, double *value);
 
 /* Values of Strings, and of one Boolean. */
 slave_answer slave_get_words(slave *s, const uint32_t *index, size_t count, const char **word);
@@ -90,7 +102,8 @@ slave_answer slave_get_truth(slave *s, uint32_t index, int32_t *truth);
 
 /* Sets Strings, and Booleans as 0 or 1: all of at most MOST_WORDS, or none. */
 enum { MOST_WORDS = 64 };
-slave_answer slave_set_words(slave *s, const uint32_t *index, size_t count, const char *const *word);
+slave_answer slave_set_words(slave *s, const uint32_t *index, size_t count,
+                             const char *const *word);
 slave_answer slave_set_truths(slave *s, const uint32_t *index, size_t count, const double *truth);
 
 /* States: kept in memory, as bytes with a checksum, and taken back. */

@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-/* Writes each % twice: the text is a format of printf, and hosts in other languages can read no arguments. */
+/* Writes each % twice: the text is a format of printf, and hosts in other languages can read no
+   arguments. */
 static void double_percents(hm_text *t)
 {
     size_t count = 0;
@@ -42,7 +43,8 @@ static int is_said_later(const char *rest, const char *remedy, size_t length)
     return 0;
 }
 
-/* Says sentences of one line each in one line; a remedy of several is said once, behind the last of them. */
+/* Says sentences of one line each in one line; a remedy of several is said once, behind the last of
+   them. */
 static void say_in_one_line(hm_text *t, const char *lines)
 {
     for (const char *line = lines, *next; *line; line = next) {
@@ -102,11 +104,15 @@ slave_answer slave_switch_log(slave *s, int32_t on, size_t count, const char *co
     int32_t chosen = count ? 0 : DEBUGGING;
     for (size_t k = 0; k < count; k++) {
         int level = 0;
-        while (level < N_CATEGORIES && !(category && category[k] && !strcmp(category[k], slave_categories[level]))) level++;
+        while (level < N_CATEGORIES
+               && !(category && category[k] && !strcmp(category[k], slave_categories[level])))
+            level++;
         if (level == N_CATEGORIES)
-            return slave_tell(s, ANSWER_ERROR, "setDebugLogging: no category of the log is named %s; there are %s, %s, %s, %s",
-                           category && category[k] ? category[k] : "NULL", slave_categories[0], slave_categories[1], slave_categories[2],
-                           slave_categories[3]);
+            return slave_tell(
+                s, ANSWER_ERROR,
+                "setDebugLogging: no category of the log is named %s; there are %s, %s, %s, %s",
+                category && category[k] ? category[k] : "NULL", slave_categories[0],
+                slave_categories[1], slave_categories[2], slave_categories[3]);
         chosen |= level ? 1 << level : DEBUGGING;
     }
     s->log.wanted = on ? s->log.wanted | chosen : s->log.wanted & ~chosen;

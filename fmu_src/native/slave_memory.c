@@ -1,13 +1,19 @@
-/* Where instances and saved states lie: in memory of malloc, or in a program without that, in blocks of its own. */
+/* Where instances and saved states lie: in memory of malloc, or in a program without that, in
+   blocks of its own. */
 #include "small.h"
 
 #include "slave_parts.h"
 
 #include <string.h>
 
-#ifdef HOLONOM_BLOCKS /* so many, one for each instance and each state; no two threads may make or free them at once */
+#ifdef HOLONOM_BLOCKS
+/* So many, one for each instance and each state; no two threads may make or free them at once. */
 
-enum { BLOCK_WORDS = (sizeof(slave) + slave_text_room(HOLONOM_TEXT_ROWS) + 16 + HOLONOM_INSTANCE_BYTES + 7) / 8 };
+enum {
+    BLOCK_WORDS =
+        (sizeof(slave) + slave_text_room(HOLONOM_TEXT_ROWS) + 16 + HOLONOM_INSTANCE_BYTES + 7)
+    / 8
+};
 static uint64_t blocks[HOLONOM_BLOCKS][BLOCK_WORDS];
 static char is_taken[HOLONOM_BLOCKS];
 

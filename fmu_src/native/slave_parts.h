@@ -5,7 +5,13 @@
 #include "chosen_steps.h"
 #include "slave.h"
 
-enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED, FAILED }; /* FAILED: after a step that could not be */
+enum {
+    INSTANTIATED,
+    INITIALIZING,
+    STEPPING,
+    TERMINATED,
+    FAILED
+}; /* FAILED: after a step that could not be */
 #define RESET_FIRST "reset the instance first"
 
 #define ALLOWED(call, name, states, early) call,
@@ -14,12 +20,21 @@ typedef enum {
 } slave_call;
 #undef ALLOWED
 
-/* Whether the present state allows a call, which is refused with a sentence by the second if it does not. */
+/* Whether the present state allows a call, which is refused with a sentence by the second if it
+   does not. */
 int slave_allows(const slave *s, slave_call call);
 slave_answer slave_check(slave *s, slave_call call);
 
-enum { ASSEMBLY_FAILED = 101, STEP_REFUSED = 103, NOT_FINITE = 107 }; /* fmu_src/status.py has them all */
-enum { ROOM = 4096, ROOM_OF_ROW = 512, ROWS_SAID = 500 }; /* of a text, in bytes; rows that it can have a sentence of */
+enum {
+    ASSEMBLY_FAILED = 101,
+    STEP_REFUSED = 103,
+    NOT_FINITE = 107
+}; /* fmu_src/status.py has them all */
+enum {
+    ROOM = 4096,
+    ROOM_OF_ROW = 512,
+    ROWS_SAID = 500
+}; /* of a text, in bytes; rows that it can have a sentence of */
 
 /* Room of a slave's text for a mechanism with so many rows and rules. */
 #define slave_text_room(rows) (ROOM + ROOM_OF_ROW * ((rows) < ROWS_SAID ? (rows) : ROWS_SAID))

@@ -1,6 +1,7 @@
-/* What compilers for Windows call before a function takes more than a page (4096 bytes) of the stack, rax bytes: the stack
-   grows only where its pages are touched one after the other. Keeps all registers. Their own run-time library, whose
-   other parts come with it, makes a library half as large again.                                                */
+/* What compilers for Windows call before a function takes more than a page (4096 bytes) of the
+   stack, rax bytes: the stack grows only where its pages are touched one after the other. Keeps all
+   registers. Their own run-time library, whose other parts come with it, makes a library half as
+   large again. */
 #if defined(_WIN32) && defined(__x86_64__) && defined(__clang__)
 __asm__(".globl ___chkstk_ms\n"
         "___chkstk_ms:\n"

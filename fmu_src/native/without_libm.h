@@ -1,5 +1,6 @@
-/* In sources that an importer compiles: functions of libm that are exact, so that none is called. What a compiler makes of the
-   standard's own depends on its flags, and some importers do not link libm. */
+/* In sources that an importer compiles: functions of libm that are exact, so that none is called.
+   What a compiler makes of the standard's own depends on its flags, and some importers do not link
+   libm. */
 #ifndef HOLONOM_WITHOUT_LIBM_H
 #define HOLONOM_WITHOUT_LIBM_H
 
@@ -24,7 +25,8 @@ static inline double own_fabs(double x)
 }
 static inline int own_signbit(double x) { return own_bits(x) >> 63 != 0; }
 static inline int own_isinf(double x) { return own_fabs(x) > DBL_MAX; }
-static inline double own_copysign(double x, double sign) { return (own_signbit(x) != own_signbit(sign)) ? -x : x; }
+static inline double own_copysign(double x, double sign)
+{ return (own_signbit(x) != own_signbit(sign)) ? -x : x; }
 
 /* The second of two that are equal, such as 0 and -0. */
 static inline double own_fmax(double x, double y) { return x > y || y != y ? x : y; }
@@ -35,7 +37,8 @@ static double own_trunc(double x)
 {
     const int exponent = (int)(own_bits(x) >> 52 & 2047) - 1023;
     if (exponent >= 52) return x;
-    return exponent < 0 ? own_copysign(0.0, x) : own_double(own_bits(x) & ~(UINT64_MAX >> 12 >> exponent));
+    return exponent < 0 ? own_copysign(0.0, x)
+                        : own_double(own_bits(x) & ~(UINT64_MAX >> 12 >> exponent));
 }
 
 static double own_floor(double x)
@@ -51,7 +54,8 @@ static double own_ceil(double x)
 }
 
 /* The next number above an x >= 0, which is all that is asked for. */
-static double own_nextafter(double x, double above) { return x < above ? own_double(own_bits(x) + 1) : x; }
+static double own_nextafter(double x, double above)
+{ return x < above ? own_double(own_bits(x) + 1) : x; }
 
 /* 53 digits and the exponent of a positive finite number, of small ones, too. */
 static uint64_t own_digits(double x, int *exponent)
@@ -65,7 +69,8 @@ static uint64_t own_digits(double x, int *exponent)
 
 static double own_composed(uint64_t digits, int exponent)
 {
-    return own_double(exponent > 0 ? digits + ((uint64_t)(exponent - 1) << 52) : digits >> (1 - exponent));
+    return own_double(exponent > 0 ? digits + ((uint64_t)(exponent - 1) << 52)
+                                   : digits >> (1 - exponent));
 }
 
 /* Rest of a division, by long division of the digits. */
@@ -86,7 +91,8 @@ static double own_fmod(double a, double b)
     return own_copysign(own_composed(rest, from), a);
 }
 
-/* Where there is no instruction: 54 digits one by one, of which the last rounds; it is never a tie. */
+/* Where there is no instruction: 54 digits one by one, of which the last rounds; it is never a
+   tie. */
 static inline double own_slow_sqrt(double x)
 {
     int exponent;

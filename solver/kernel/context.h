@@ -1,5 +1,5 @@
-/* What the functions of a call share: the model, its numbers, state and scratch, and the islands that are at hand, for DIM
-   coordinates a node. */
+/* What the functions of a call share: the model, its numbers, state and scratch, and the islands
+   that are at hand, for DIM coordinates a node. */
 #ifndef HOLONOM_CONTEXT_H
 #define HOLONOM_CONTEXT_H
 
@@ -10,22 +10,25 @@
 #include <math.h>
 #include <string.h>
 
-/* Compositions of pairs, weighted covers by pairs (extrapolation.h), explicit steps (runge_kutta.h), or none of them. */
+/* Compositions of pairs, weighted covers by pairs (extrapolation.h), explicit steps
+   (runge_kutta.h), or none of them. */
 enum method_kind { COMPOSED, COVERED, EXPLICIT, UNTAKEN };
 
 /* How an internal step was taken, and what it tells of its error. */
 typedef struct step_result {
     enum method_kind method;
-    int finest;               /* pairs of a cover whose weighted end was not taken; else 0                      */
-    double difference;        /* of an explicit step from one of lower order, relative to size and speed        */
-    double free_part;         /* of it, that rows leave free                                                    */
-    double energy_correction; /* change of velocities that brought energy onto the ledger, relative to speed    */
-    double growth;            /* of its error by the motion to come, see put_back.h                             */
-    double longest_put_back;  /* next explicit step, by the difference of this one [s]                          */
-    double shorter;           /* length of the next try over that of a step that failed                         */
+    int finest;               /* pairs of a cover whose weighted end was not taken; else 0 */
+    double difference; /* of an explicit step from one of lower order, relative to size and speed */
+    double free_part;         /* of it, that rows leave free */
+    double energy_correction; /* change of velocities that brought energy onto the ledger, relative
+                                 to speed */
+    double growth;            /* of its error by the motion to come, see put_back.h */
+    double longest_put_back;  /* next explicit step, by the difference of this one [s] */
+    double shorter;           /* length of the next try over that of a step that failed */
 } step_result;
 
-/* Pairs of increments and what they changed, at length h with these factors, and whether the last ones are known; see secants.h. */
+/* Pairs of increments and what they changed, at length h with these factors, and whether the last
+   ones are known; see secants.h. */
 typedef struct secant_pairs {
     int32_t count;
     int has_last;
@@ -33,22 +36,25 @@ typedef struct secant_pairs {
     const holonom_elimination *lu;
 } secant_pairs;
 
-/* Switches of laws: when the next of the time changes, infinite without one, NaN: not known; the time after which one that changes again
-   does not go forth and back without end; when they last changed, and how often in turn without a pause. */
+/* Switches of laws: when the next of the time changes, infinite without one, NaN: not known; the
+   time after which one that changes again does not go forth and back without end; when they last
+   changed, and how often in turn without a pause. */
 typedef struct switch_times {
     double next, pause, last;
     int quick;
 } switch_times;
 
-/* The event at hand: the function that has become 0, or -1; whether step_halving had to divide the step, so that event_backup has its start;
-   of contacts at rest whether forces as half steps tell them are outside the cones, whether functions are those of what sticks
-   together, and whether these hold no longer. */
+/* The event at hand: the function that has become 0, or -1; whether step_halving had to divide the
+   step, so that event_backup has its start; of contacts at rest whether forces as half steps tell
+   them are outside the cones, whether functions are those of what sticks together, and whether
+   these hold no longer. */
 typedef struct event_at_hand {
     int32_t function;
     int divided, outside, together, gives_way;
 } event_at_hand;
 
-/* Factors of the internal step at hand: of which length of a half step (0: none are), and increments of the last one that made its own. */
+/* Factors of the internal step at hand: of which length of a half step (0: none are), and
+   increments of the last one that made its own. */
 typedef struct kept_factors {
     double h;
     const holonom_elimination *lu;
@@ -59,7 +65,8 @@ typedef struct span {
     int32_t begin, end;
 } span;
 
-/* What is near, see far_contacts.h: contacts, frictions, composites that are rows, forms and quantities of these. */
+/* What is near, see far_contacts.h: contacts, frictions, composites that are rows, forms and
+   quantities of these. */
 enum near_list { NEAR_CONTACTS, NEAR_FRICTIONS, NEAR_ROWS, NEAR_LINKED, NEAR_ACTIVE, NEAR_LISTS };
 
 typedef struct context {
@@ -70,54 +77,64 @@ typedef struct context {
     int64_t state_size;
     double tolerance;   /* of the run, or 0 for equal steps */
     double h, t;
-    double start;       /* of the communication step, for inputs that move                                    */
+    double start;       /* of the communication step, for inputs that move */
     int32_t n_moving;
-    /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
-       by a step from rest whose forces and constraints act at its end.                                        */
+    /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial
+       configuration is sought, by a step from rest whose forces and constraints act at its end. */
     double theta;
-    double weight[4], parabola[4]; /* of the last half steps in the prediction of this one, see predict.h       */
-    int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
-    int samples;        /* whether held inputs have jumped by what samples of a smooth course do, see advance.h      */
-    int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h                        */
-    double *move;       /* increments of the unknowns: d, or those of a reduced step                          */
-    int constraints_only;      /* 1: only the rows act                                                               */
-    int careful;               /* 1: smooth frictions have steeper slopes in the tangent: a step has failed           */
-    int at_state;              /* 1: there is no step, and slips are those of the velocities                         */
-    int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
-    int soft;           /* whether the tangent leaves out how forces of sliding frictions turn with the place          */
-    int may_share;      /* whether rows may depend on each other, by the forces evaluated last                        */
-    int reads;          /* whether laws read the increment that is solved for, see inputs_signals.h          */
-    int foretells;      /* whether they read a prediction of it, since it had no solution                           */
-    int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
-    double unsettled;   /* size of the step's last increment over its length [kg^1/2 m/s]; infinite before the first one */
-    int defers_friction; /* whether frictions of contacts act at the end of a half step alone, see stepped.h      */
-    int32_t n_kept_forces; /* times within the step at hand of which multipliers are kept, see keep_forces                 */
-    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0; see fault.h */
-    const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
-    int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
-    const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
-    int rows_known;     /* whether phi has the rows at the state, from the half step before in this internal one     */
-    int firm;           /* whether the rows determine all multipliers well, by the factors at hand                */
-    /* The islands at hand, one or all: where they begin and end by columns, the scalars of the first, their moving nodes
-       (driven ones belong to the last island), and pieces that need not lie side by side: rows (form rows,
-       coincidences, functions, velocity rows) and composites.                                                  */
+    /* Of the last half steps in the prediction of this one, see predict.h. */
+    double weight[4], parabola[4];
+    int half, halves;   /* which half step of an internal one this is, from 0, and of how many */
+    int samples; /* whether held inputs have jumped by what samples of a smooth course do, see
+                    advance.h */
+    int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h */
+    double *move;       /* increments of the unknowns: d, or those of a reduced step */
+    int constraints_only;      /* 1: only the rows act */
+    int careful; /* 1: smooth frictions have steeper slopes in the tangent: a step has failed */
+    int at_state;              /* 1: there is no step, and slips are those of the velocities */
+    int sliding;        /* whether a friction slides, so that multipliers follow cones */
+    int soft; /* whether the tangent leaves out how forces of sliding frictions turn with the
+                 place */
+    int may_share;      /* whether rows may depend on each other, by the forces evaluated last */
+    int reads; /* whether laws read the increment that is solved for, see inputs_signals.h */
+    int foretells;      /* whether they read a prediction of it, since it had no solution */
+    int stepping;       /* whether contacts change at the ends of half steps, see stepped.h */
+    double unsettled;   /* size of the step's last increment over its length [kg^1/2 m/s]; infinite
+                           before the first one */
+    int defers_friction;   /* whether frictions of contacts act at the end of a half step alone, see
+                              stepped.h */
+    int32_t n_kept_forces; /* times within the step at hand of which multipliers are kept, see
+                              keep_forces */
+    int32_t at_fault; /* multiplier of the contact that keeps a step from being solved or changed
+                         last, and 1; or 0; see fault.h */
+    const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised */
+    int damped; /* whether something takes energy out of the step at hand, under a tolerance */
+    const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean */
+    int rows_known; /* whether phi has the rows at the state, from the half step before in this
+                       internal one */
+    int firm;       /* whether the rows determine all multipliers well, by the factors at hand */
+    /* The islands at hand, one or all: where they begin and end by columns, the scalars of the
+       first, their moving nodes (driven ones belong to the last island), and pieces that need not
+       lie side by side: rows (form rows, coincidences, functions, velocity rows) and composites. */
     int32_t first_island, last_island;
     const int32_t *begin, *end;
     double *island;
     span node, form_row[2], all_row[5], all_composite[4];
     const span *row, *composite;
     int form_rows, rows, composites, all_rows, all_composites;
-    int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
-    int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
-    const int32_t *near[NEAR_LISTS]; /* of each index the first one from it on that is near; NULL: all are         */
-    int may_fall_asleep;       /* whether a contact that is awake is far enough to sleep, see far_contacts.h            */
+    int asleep;         /* whether all contacts and frictions of these islands are off, in a step */
+    int left_out;       /* whether rows that are off are not among these pieces, see row_state.h */
+    /* Of each index the first one from it on that is near; NULL: all are. */
+    const int32_t *near[NEAR_LISTS];
+    int may_fall_asleep;   /* whether a contact that is awake is far enough to sleep, see
+                              far_contacts.h */
     step_result last; /* of the last internal step */
     secant_pairs secants;
     switch_times switches;
     event_at_hand event;
     kept_factors kept_factors;
-    holonom_watch *watch; /* who may end the start or the step, or NULL                                           */
-    holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL                                    */
+    holonom_watch *watch; /* who may end the start or the step, or NULL */
+    holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL */
 } context;
 
 /* Whether who waits for the start or the step has asked for its end. */
@@ -132,22 +149,27 @@ HM_OFTEN int is_stopped(const context *c)
     return w->is_stopped;
 }
 
-#define IN_ISLAND(c, i, column) (int32_t i = (c)->begin[column], i##_end = (c)->end[column]; i < i##_end; i++)
-#define EACH_IN(c, pieces, piece, i)                                                                           \
-    for (const span *i##_in = (c)->piece, *i##_last = i##_in + (c)->pieces; i##_in < i##_last; i##_in++)       \
+#define IN_ISLAND(c, i, column)                                                                    \
+    (int32_t i = (c)->begin[column], i##_end = (c)->end[column]; i < i##_end; i++)
+#define EACH_IN(c, pieces, piece, i)                                                               \
+    for (const span *i##_in = (c)->piece, *i##_last = i##_in + (c)->pieces; i##_in < i##_last;     \
+         i##_in++)                                                                                 \
         for (int32_t i = i##_in->begin, i##_end = i##_in->end; i < i##_end; i++)
 #define EACH_ROW(c, i) EACH_IN(c, rows, row, i)
 #define EACH_FORM_ROW(c, i) EACH_IN(c, form_rows, form_row, i)
 #define EACH_NODE(c, a) for (int32_t a = (c)->node.begin, a##_end = (c)->node.end; a < a##_end; a++)
-#define EACH_COORDINATE(c, k) for (int32_t k = DIM * (c)->node.begin, k##_end = DIM * (c)->node.end; k < k##_end; k++)
+#define EACH_COORDINATE(c, k)                                                                      \
+    for (int32_t k = DIM * (c)->node.begin, k##_end = DIM * (c)->node.end; k < k##_end; k++)
 /* Bodies whose turns are unknowns of the step at hand. */
-#define EACH_TURN(c, b) for (int32_t b = (c)->begin[ISLAND_BODY]; is_reduced(c) && b < (c)->end[ISLAND_BODY]; b++)
+#define EACH_TURN(c, b)                                                                            \
+    for (int32_t b = (c)->begin[ISLAND_BODY]; is_reduced(c) && b < (c)->end[ISLAND_BODY]; b++)
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
 
 /* x (DIM n_moving) becomes 0 at the nodes at hand. */
 static inline void clear_nodes(const context *c, double *x)
 {
-    memset(x + DIM * c->node.begin, 0, sizeof(double) * (size_t)(DIM * (c->node.end - c->node.begin)));
+    memset(x + DIM * c->node.begin, 0,
+           sizeof(double) * (size_t)(DIM * (c->node.end - c->node.begin)));
 }
 
 /* Whether the step at hand has turns of bodies for unknowns. */
@@ -165,16 +187,19 @@ HM_OFTEN int add_piece(span *piece, int count, int32_t begin, int32_t end)
     return count + 1;
 }
 
-static inline int32_t next_near(const context *c, enum near_list list, int32_t i) { return c->near[list] ? c->near[list][i] : i; }
+static inline int32_t next_near(const context *c, enum near_list list, int32_t i)
+{ return c->near[list] ? c->near[list][i] : i; }
 
-#define EACH_NEAR(c, list, i, first, last)                                                                     \
-    for (int32_t i##_end = (last), i = next_near(c, list, first); i < i##_end; i = next_near(c, list, i + 1))
+#define EACH_NEAR(c, list, i, first, last)                                                         \
+    for (int32_t i##_end = (last), i = next_near(c, list, first); i < i##_end;                     \
+         i = next_near(c, list, i + 1))
 #define EACH_CONTACT(c, i) EACH_NEAR(c, NEAR_CONTACTS, i, 0, n_contacts((c)->m))
 #define EACH_FRICTION(c, f) EACH_NEAR(c, NEAR_FRICTIONS, f, 0, n_frictions((c)->m))
 /* Function rows (k = ISLAND_FUNCTION) or velocity rows (ISLAND_VELOCITY) of the islands at hand. */
 #define EACH_ROW_OF_KIND(c, j, k) EACH_NEAR(c, NEAR_ROWS, j, (c)->begin[k], (c)->end[k])
 
-/* Pieces of rows and composites of an island, or of all behind the last one, with turns of bodies for unknowns or without. */
+/* Pieces of rows and composites of an island, or of all behind the last one, with turns of bodies
+   for unknowns or without. */
 typedef struct near_slice {
     int32_t row, rows, composite, composites;
 } near_slice;
@@ -200,36 +225,46 @@ static inline void take_all_rows(context *c)
     c->rows = c->all_rows, c->composites = c->all_composites;
 }
 
-/* Pieces of rows of the islands at hand that hold always: forms and coincidences; returns their number. */
+/* Pieces of rows of the islands at hand that hold always: forms and coincidences; returns their
+   number. */
 static int bilateral_pieces(const context *c, span *row)
 {
     int rows = 0;
-    for (int k = 0; k < c->form_rows; k++) rows = add_piece(row, rows, c->form_row[k].begin, c->form_row[k].end);
-    return add_piece(row, rows, c->m->n_form_rows + DIM * c->begin[ISLAND_COINCIDENCE], c->m->n_form_rows + DIM * c->end[ISLAND_COINCIDENCE]);
+    for (int k = 0; k < c->form_rows; k++)
+        rows = add_piece(row, rows, c->form_row[k].begin, c->form_row[k].end);
+    return add_piece(row, rows, c->m->n_form_rows + DIM * c->begin[ISLAND_COINCIDENCE],
+                     c->m->n_form_rows + DIM * c->end[ISLAND_COINCIDENCE]);
 }
 
 /* Lets islands first .. last - 1 be those at hand. */
 static void look_at(context *c, int32_t first, int32_t last)
 {
     const holonom_model *m = c->m;
-    const int32_t *begin = m->island_begin + ISLAND_COLUMNS * first, *end = m->island_begin + ISLAND_COLUMNS * last;
+    const int32_t *begin = m->island_begin + ISLAND_COLUMNS * first,
+                  *end = m->island_begin + ISLAND_COLUMNS * last;
     const int32_t first_function = m->n_form_rows + DIM * m->n_coincidences;
     c->first_island = first, c->last_island = last;
     c->begin = begin, c->end = end;
     c->island = c->s.islands + I_SIZE * first;
-    c->node = (span){begin[ISLAND_FREE], begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
+    c->node =
+        (span){begin[ISLAND_FREE],
+               begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
     c->all_composites = 0;
     c->form_rows = add_piece(c->form_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
-    if (!is_reduced(c)) c->form_rows = add_piece(c->form_row, c->form_rows, begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]);
+    if (!is_reduced(c))
+        c->form_rows =
+            add_piece(c->form_row, c->form_rows, begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]);
     c->all_rows = bilateral_pieces(c, c->all_row);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
-        c->all_rows = add_piece(c->all_row, c->all_rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
+        c->all_rows = add_piece(c->all_row, c->all_rows, first_function + begin[k] - m->n_elements,
+                                first_function + end[k] - m->n_elements);
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
         c->all_composites = add_piece(c->all_composite, c->all_composites, begin[k], end[k]);
     take_all_rows(c);
 }
 
-/* Lets island i be at hand, or all behind the last one; returns whether there is an island i. An only one is at hand always. */
+/* Lets island i be at hand, or all behind the last one; returns whether there is an island i. An
+   only one is at hand always. */
 static inline int take_island(context *c, int32_t i)
 {
     const int32_t n = c->m->n_islands;
@@ -246,7 +281,8 @@ static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; }
 /* Factors without rows of contacts and frictions. */
 static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }
 
-/* Lets turns of bodies be the unknowns of the step at hand, or coordinates of all nodes. All islands are at hand then. */
+/* Lets turns of bodies be the unknowns of the step at hand, or coordinates of all nodes. All
+   islands are at hand then. */
 static void use_unknowns(context *c, int turns)
 {
     const int same = c->reduced == turns;
@@ -259,7 +295,8 @@ static void use_unknowns(context *c, int turns)
 /* Factors of the whole tangent, and lean ones, that serve. */
 static inline const holonom_elimination *full_factors(const context *c)
 {
-    if (c->asleep && c->m->n_open_values && is_reduced(c) == (n_bodies(c->m) > 0)) return &c->m->open;
+    if (c->asleep && c->m->n_open_values && is_reduced(c) == (n_bodies(c->m) > 0))
+        return &c->m->open;
     return is_reduced(c) ? &c->m->reduced : &c->m->full;
 }
 
@@ -269,13 +306,16 @@ static inline const holonom_elimination *lean_factors(const context *c)
 }
 
 /* Copies the state to a backup, and back. */
-static void keep_state(const context *c, double *backup) { memcpy(backup, c->s.head, sizeof(double) * (size_t)c->state_size); }
-static void take_state(context *c, const double *backup) { memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
+static void keep_state(const context *c, double *backup)
+{ memcpy(backup, c->s.head, sizeof(double) * (size_t)c->state_size); }
+static void take_state(context *c, const double *backup)
+{ memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
 
 static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 
 /* The sections extent, row_scale and row_sigma lie side by side. */
-static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
+static inline size_t derived_bytes(const holonom_model *m)
+{ return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
 
 /* Lets all contacts be near again. */
 static void see_all(context *c)
@@ -285,7 +325,8 @@ static void see_all(context *c)
     look_at(c, c->first_island, c->last_island);
 }
 
-static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
+static void open_context(context *c, const holonom_model *m, double *number, double *state,
+                         double *work)
 {
     c->m = m;
     c->number = number;
@@ -299,13 +340,20 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->last = (step_result){.method = COMPOSED, .free_part = 1.0, .growth = 1.0, .longest_put_back = INFINITY, .shorter = 0.5};
+    c->last = (step_result){.method = COMPOSED,
+                            .free_part = 1.0,
+                            .growth = 1.0,
+                            .longest_put_back = INFINITY,
+                            .shorter = 0.5};
     c->switches = (switch_times){.next = NAN, .last = -INFINITY};
     if (m->switching) c->k.watched[0] = INFINITY, c->k.watched[1] = -INFINITY;
     c->cone_mu = c->k.mu;
-    c->constraints_only = c->careful = c->at_state = c->damped = c->at_fault = c->samples = c->sliding = c->soft = c->may_share = 0;
-    c->stepping = c->reads = c->foretells = c->n_kept_forces = c->defers_friction = c->may_fall_asleep = c->rows_known = 0;
-    for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
+    c->constraints_only = c->careful = c->at_state = c->damped = c->at_fault = c->samples =
+        c->sliding = c->soft = c->may_share = 0;
+    c->stepping = c->reads = c->foretells = c->n_kept_forces = c->defers_friction =
+        c->may_fall_asleep = c->rows_known = 0;
+    for (int32_t f = 0; f < n_frictions(m); f++)
+        c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
     c->reduced = -1; /* neither, so that islands are looked at */
     use_unknowns(c, 0);

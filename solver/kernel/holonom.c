@@ -25,10 +25,12 @@ int64_t holonom_measured_size(const holonom_model *m)
 
 double holonom_operate(int32_t code, const double *value, int32_t count)
 {
-    return code < T_SPLINE ? hm_operate(code, value[0], value[1], value[2])
-                           : hm_look_up(code, value, value + (code < T_GRID ? 1 : 3), value + count - 1);
+    return code < T_SPLINE
+               ? hm_operate(code, value[0], value[1], value[2])
+               : hm_look_up(code, value, value + (code < T_GRID ? 1 : 3), value + count - 1);
 }
 
-void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment) { hm_run_tape(m, numbers, segment); }
+void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment)
+{ hm_run_tape(m, numbers, segment); }
 
 #include "small.h"

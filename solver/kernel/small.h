@@ -1,5 +1,5 @@
-/* Included first, and again last, by files whose functions run seldom, or wait for others: they are compiled for size, but
-   where nothing is optimised, so that counts of lines are true. */
+/* Included first, and again last, by files whose functions run seldom, or wait for others: they are
+   compiled for size, but where nothing is optimised, so that counts of lines are true. */
 #if defined(__clang__)
 #ifndef HM_SMALL
 #define HM_SMALL

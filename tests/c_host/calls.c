@@ -1,5 +1,5 @@
-/* Every function of FMI 2.0 co-simulation, called once or more in an order that the standard allows.
-   A line for each, with its status, and lines with what it gave.                                    */
+/* Every function of FMI 2.0 co-simulation, called once or more in an order that the standard
+   allows. A line for each, with its status, and lines with what it gave. */
 
 #include "fmi2.h"
 

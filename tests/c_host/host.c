@@ -1,20 +1,20 @@
 /* A host in C for unpacked FMUs (FMI 2.0 co-simulation), for the tests:
 
        host run     LIBRARY RESOURCES INPUT OUTPUT STEPS H [TOLERANCE]   output after each step
-       host odd     LIBRARY RESOURCES INPUT OUTPUT STEPS H    likewise, in another floating-point mode
-       host allocations LIBRARY RESOURCES INPUT OUTPUT STEPS  of memory in so many steps, and of an instance
-       host instances LIBRARY RESOURCES INPUT OUTPUT COUNT    allocations by so many, and those not given back
-       host calls   LIBRARY RESOURCES INPUT OUTPUT BOOLEAN STRING    every function once
+       host odd     LIBRARY RESOURCES INPUT OUTPUT STEPS H    likewise, in another floating-point
+   mode host allocations LIBRARY RESOURCES INPUT OUTPUT STEPS  of memory in so many steps, and of an
+   instance host instances LIBRARY RESOURCES INPUT OUTPUT COUNT    allocations by so many, and those
+   not given back host calls   LIBRARY RESOURCES INPUT OUTPUT BOOLEAN STRING    every function once
        host cycles  LIBRARY RESOURCES INPUT OUTPUT COUNT      load, run, unload COUNT times: output,
                                                               pages in memory, 1 if still loaded
        host threads LIBRARY RESOURCES INPUT OUTPUT COUNT [LIBRARY RESOURCES INPUT OUTPUT]...
-                                                              COUNT instances at once, each in a thread
-       host turns   LIBRARY RESOURCES INPUT OUTPUT STEPS LIBRARY RESOURCES INPUT OUTPUT
-                                                              two FMUs, one ending before the other
+                                                              COUNT instances at once, each in a
+   thread host turns   LIBRARY RESOURCES INPUT OUTPUT STEPS LIBRARY RESOURCES INPUT OUTPUT two FMUs,
+   one ending before the other
 
    RESOURCES is a URI, the rest value references and numbers. HOST_PYTHON in the environment names a
    libpython that the host loads for all before it loads an FMU. Results go to stdout, one a line;
-   the log goes to stderr. Exit code 1: an FMU cannot be loaded or makes no instance.               */
+   the log goes to stderr. Exit code 1: an FMU cannot be loaded or makes no instance. */
 
 #define _POSIX_C_SOURCE 200809L
 
@@ -31,7 +31,8 @@
 enum { MAX_STEPS = 1000, MAX_THREADS = 16, THREAD_STEPS = 50, FMU_ARGUMENTS = 4 };
 static const double THREAD_H = 0.01;
 
-static void hear(void *environment, text instance, fmi2_status status, text category, text message, ...)
+static void hear(void *environment, text instance, fmi2_status status, text category, text message,
+                 ...)
 {
     (void)environment;
     fprintf(stderr, "%s %d %s: ", instance ? instance : "-", status, category ? category : "-");
@@ -90,7 +91,8 @@ static struct fmu load(text library, text resources)
 
 static component instantiate(const struct fmu *fmu)
 {
-    component c = fmu->fmi2Instantiate("c host", FMI2_CO_SIMULATION, fmu->guid, fmu->resources, &CALLBACKS, 0, 1);
+    component c = fmu->fmi2Instantiate("c host", FMI2_CO_SIMULATION, fmu->guid, fmu->resources,
+                                       &CALLBACKS, 0, 1);
     if (!c)
         fail("fmi2Instantiate", "no instance");
     return c;
@@ -107,7 +109,9 @@ static void must(int status, text what)
 /* `tolerance`: in words, or NULL where the host gives none. */
 static void initialise(const struct fmu *fmu, component c, text tolerance)
 {
-    must(fmu->fmi2SetupExperiment(c, tolerance != NULL, tolerance ? atof(tolerance) : 0.0, 0.0, 0, 0.0), "fmi2SetupExperiment");
+    must(fmu->fmi2SetupExperiment(c, tolerance != NULL, tolerance ? atof(tolerance) : 0.0, 0.0, 0,
+                                  0.0),
+         "fmi2SetupExperiment");
     must(fmu->fmi2EnterInitializationMode(c), "fmi2EnterInitializationMode");
     must(fmu->fmi2ExitInitializationMode(c), "fmi2ExitInitializationMode");
 }
@@ -145,13 +149,15 @@ static void run(char **a, text tolerance)
         printf("%.17g\n", values[i]);
 }
 
-/* The same where the host flushes small numbers to zero and rounds towards zero; it must find that again. */
+/* The same where the host flushes small numbers to zero and rounds towards zero; it must find that
+   again. */
 static void run_odd(char **a)
 {
     const unsigned flushing = _mm_getcsr() | 0x8040 | 0x6000;
     _mm_setcsr(flushing);
     run(a, NULL);
-    if ((_mm_getcsr() & ~0x3fu) != (flushing & ~0x3fu)) /* but for flags of what the host itself has done */
+    if ((_mm_getcsr() & ~0x3fu)
+        != (flushing & ~0x3fu)) /* but for flags of what the host itself has done */
         fail("odd", "the floating-point environment has changed");
 }
 
@@ -169,7 +175,8 @@ void *realloc(void *memory, size_t size) { n_allocations++; return __libc_reallo
 void free(void *memory) { n_frees += memory != NULL; __libc_free(memory); }
 #endif
 
-/* Allocations in so many steps, with values read and set, and derivatives of four outputs, and after one instance more. */
+/* Allocations in so many steps, with values read and set, and derivatives of four outputs, and
+   after one instance more. */
 static void allocations(char **a)
 {
     struct fmu fmu = load(a[0], a[1]);
@@ -178,9 +185,11 @@ static void allocations(char **a)
     initialise(&fmu, c, NULL);
     const long before = n_allocations;
     take_steps(&fmu, c, (reference)atoi(a[2]), (reference)atoi(a[3]), atoi(a[4]), 0.01, values);
-    const reference first = (reference)atoi(a[3]), asked[4] = {first, first + 1, first + 2, first + 3};
+    const reference first = (reference)atoi(a[3]),
+                    asked[4] = {first, first + 1, first + 2, first + 3};
     const int orders[4] = {1, 1, 1, 1};
-    must(fmu.fmi2GetRealOutputDerivatives(c, asked, 4, orders, values), "fmi2GetRealOutputDerivatives");
+    must(fmu.fmi2GetRealOutputDerivatives(c, asked, 4, orders, values),
+         "fmi2GetRealOutputDerivatives");
     const long after = n_allocations;
     component other = instantiate(&fmu);
     const long last = n_allocations;
@@ -237,7 +246,8 @@ static void cycles(char **a)
     }
 }
 
-/* pythonfmu's libraries race where two FMUs start Python at once, so instances are made by turns. */
+/* pythonfmu's libraries race where two FMUs start Python at once, so instances are made by
+   turns. */
 static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
 
 struct job {
@@ -292,7 +302,8 @@ static void turns(char **a)
     component one = instantiate(&first), two = instantiate(&second);
     for (int again = 0; again < 2; again++) {
         initialise(&first, one, NULL);
-        take_steps(&first, one, (reference)atoi(a[2]), (reference)atoi(a[3]), steps, THREAD_H, values);
+        take_steps(&first, one, (reference)atoi(a[2]), (reference)atoi(a[3]), steps, THREAD_H,
+                   values);
         end(&first, one);
         dlclose(first.library);
         printf("%.17g\n", values[steps - 1]);

@@ -43,6 +43,18 @@ def test_no_text_names_a_folder_of_one_machine():
     assert not found
 
 
+def test_no_line_of_c_is_longer_than_100_columns():
+    # Of Python ruff asks the same; what the build writes is not committed.
+    found = [
+        f"{relative(path)}:{number}"
+        for path in files((*CODE, "tests"), ".c", ".h")
+        if not path.stem.endswith("_tables")
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), start=1)
+        if len(line) > 100
+    ]
+    assert not found
+
+
 def test_nothing_is_left_to_do_in_the_code():
     marker = re.compile(r"\b(?:TODO|FIXME|XXX)\b")
     texts = [

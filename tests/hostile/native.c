@@ -1,10 +1,11 @@
-/* A host of native FMUs that hands them damaged model files and states, each with good checksums, for a library with sanitizers:
+/* A host of native FMUs that hands them damaged model files and states, each with good checksums,
+   for a library with sanitizers:
 
        native SEED FOLDER (LIBRARY MODEL STEP_SIZE LONGEST_STEP)...
 
-   It reads the number of a case from each line of stdin and answers with one: what came of it, or "!" and what is wrong. FOLDER is
-   where it writes model.bin, MODEL a good one, then come references of solver.step_size and solver.longest_step. What else ends it
-   is a finding, too. */
+   It reads the number of a case from each line of stdin and answers with one: what came of it, or
+   "!" and what is wrong. FOLDER is where it writes model.bin, MODEL a good one, then come
+   references of solver.step_size and solver.longest_step. What else ends it is a finding, too. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "../c_host/fmi2.h"
@@ -19,9 +20,17 @@
 #include <string.h>
 #include <sys/time.h>
 
-/* CPU_LIMIT: of one case, in s. To refuse a damaged mechanism that cannot be closed takes 3.6 s, and ten times that with sanitizers. */
-enum { MOST_MODELS = 16, STEPS = 3, MOST_VALUES = 2000, CPU_LIMIT = 60, CHECKED_FROM = offsetof(hm_header, abi) };
-/* A state: that of the slave, its head and the numbers; its two checksums, and what each is of (slave_states.c, instance.c). */
+/* CPU_LIMIT: of one case, in s. To refuse a damaged mechanism that cannot be closed takes 3.6 s,
+   and ten times that with sanitizers. */
+enum {
+    MOST_MODELS = 16,
+    STEPS = 3,
+    MOST_VALUES = 2000,
+    CPU_LIMIT = 60,
+    CHECKED_FROM = offsetof(hm_header, abi)
+};
+/* A state: that of the slave, its head and the numbers; its two checksums, and what each is of
+   (slave_states.c, instance.c). */
 enum { KEPT = 48, KEPT_CHECKSUM = 8, KEPT_CHECKED = 12, SAVED_CHECKSUM = 56, SAVED_HEAD = 64 };
 
 struct target { struct fmu fmu; byte *model; size_t length; reference step_size[2]; };
@@ -30,7 +39,7 @@ static char path[4000], uri[4000], said[20000];
 static const char *wrong;
 static uint64_t chance_state;
 
-/* ------------------------------------------------------------------------------------------------------------ chance */
+/* --------------------------------------------------------------------------------------- chance */
 
 static uint64_t chance(uint64_t end)
 {
@@ -49,11 +58,12 @@ static void begin_case(text seed, long number)
 
 static double some_number(void)
 {
-    static const double numbers[] = {0.0, -1.0, 1.0, 3.0, 1e-9, 1e300, -1e300, 5e-324, NAN, INFINITY, -INFINITY};
+    static const double numbers[] = {0.0,    -1.0,   1.0, 3.0,      1e-9,     1e300,
+                                     -1e300, 5e-324, NAN, INFINITY, -INFINITY};
     return numbers[chance(sizeof numbers / sizeof *numbers)];
 }
 
-/* ------------------------------------------------------------------------------------------------------------ damage */
+/* --------------------------------------------------------------------------------------- damage */
 
 static uint32_t checksum(const byte *bytes, size_t count)
 {
@@ -71,7 +81,8 @@ static void change_word(byte *bytes, size_t length)
     const size_t at = 4 * chance(length / 4);
     int32_t word;
     memcpy(&word, bytes + at, 4);
-    word = chance(3) ? (int32_t)((uint32_t)word + (uint32_t)chance(7) - 3u) : words[chance(sizeof words / sizeof *words)];
+    word = chance(3) ? (int32_t)((uint32_t)word + (uint32_t)chance(7) - 3u)
+                     : words[chance(sizeof words / sizeof *words)];
     memcpy(bytes + at, &word, 4);
 }
 
@@ -132,10 +143,11 @@ static size_t damaged_state(byte *bytes, size_t length)
     return length;
 }
 
-/* -------------------------------------------------------------------------------------------------------------- host */
+/* ----------------------------------------------------------------------------------------- host */
 
 /* As hosts do, it takes the text for a format. */
-static void hear(void *environment, text instance, fmi2_status status, text category, text message, ...)
+static void hear(void *environment, text instance, fmi2_status status, text category, text message,
+                 ...)
 {
     (void)environment, (void)instance, (void)status, (void)category;
     va_list arguments;
@@ -163,9 +175,11 @@ static void read_all(const struct fmu *f, component c, uint32_t n_variables)
         double value = 0.0;
         boolean truth = 0;
         text word = NULL;
-        if (!CALL(fmi2GetReal, c, &k, 1, &value) && !(fabs(value) < INFINITY)) wrong = "a value that is not finite";
+        if (!CALL(fmi2GetReal, c, &k, 1, &value) && !(fabs(value) < INFINITY))
+            wrong = "a value that is not finite";
         CALL(fmi2GetBoolean, c, &k, 1, &truth);
-        if (!CALL(fmi2GetString, c, &k, 1, &word) && !(word && strlen(word) < 1000)) wrong = "a word that does not end";
+        if (!CALL(fmi2GetString, c, &k, 1, &word) && !(word && strlen(word) < 1000))
+            wrong = "a word that does not end";
     }
 }
 
@@ -203,7 +217,8 @@ static text from_damaged_state(const struct target *t, component c, uint32_t n_v
     const struct fmu *f = &t->fmu;
     saved state = NULL, other = NULL;
     size_t size = 0;
-    if (CALL(fmi2GetFMUstate, c, &state) || CALL(fmi2SerializedFMUstateSize, c, state, &size)) return "no state";
+    if (CALL(fmi2GetFMUstate, c, &state) || CALL(fmi2SerializedFMUstateSize, c, state, &size))
+        return "no state";
     byte *bytes = malloc(size + 64);
     CALL(fmi2SerializeFMUstate, c, state, bytes, size);
     const size_t length = damaged_state(bytes, size);
@@ -218,7 +233,8 @@ static text from_damaged_state(const struct target *t, component c, uint32_t n_v
         if (CALL(fmi2SetFMUstate, c, other)) outcome = "state not set";
         else {
             CALL(fmi2GetRealStatus, c, FMI2_LAST_SUCCESSFUL_TIME, &time);
-            outcome = move(t, c, time, n_variables) ? "state taken, moved" : "state taken, not moved";
+            outcome =
+                move(t, c, time, n_variables) ? "state taken, moved" : "state taken, not moved";
         }
         CALL(fmi2FreeFMUstate, c, &other);
     }
@@ -238,7 +254,9 @@ static text run(const struct target *t, component c, uint32_t n_variables, int i
     CALL(fmi2EnterInitializationMode, c);
     if (!CALL(fmi2ExitInitializationMode, c)) {
         const int taken = move(t, c, 0.0, n_variables);
-        outcome = taken == STEPS ? "model: moved" : taken ? "model: moved in part" : "model: not moved";
+        outcome = taken == STEPS ? "model: moved"
+                  : taken        ? "model: moved in part"
+                                 : "model: not moved";
     }
     if (!is_model) outcome = from_damaged_state(t, c, n_variables);
     else if (chance(8) == 0) from_damaged_state(t, c, n_variables);
@@ -261,7 +279,8 @@ static text run_case(const struct target *t)
     if (!file || fwrite(bytes, 1, length, file) != length || fclose(file)) exit(3);
     free(bytes);
     *said = 0;
-    component c = t->fmu.fmi2Instantiate("x", FMI2_CO_SIMULATION, header.guid, uri, &CALLBACKS, 0, (int)chance(2));
+    component c = t->fmu.fmi2Instantiate("x", FMI2_CO_SIMULATION, header.guid, uri, &CALLBACKS, 0,
+                                         (int)chance(2));
     if (!c && !*said) wrong = "no instance and no sentence";
     *said = 0;
     if (!c) return "model: refused";

@@ -2,8 +2,9 @@
 
        host LIBRARY RESOURCES GUID STEPS H INPUTS REFERENCE...
 
-   RESOURCES is a URI. The first INPUTS references are set, to the number of the step over 1024; the rest is read and shown
-   in hexadecimal digits, a line a step. Exit code 1 where a call is refused. */
+   RESOURCES is a URI. The first INPUTS references are set, to the number of the step over 1024; the
+   rest is read and shown in hexadecimal digits, a line a step. Exit code 1 where a call is
+   refused. */
 #include "fmi2.h"
 
 #include <inttypes.h>
@@ -17,7 +18,8 @@
 #include <dlfcn.h>
 #endif
 
-static void hear(void *environment, fmi2_text name, fmi2_status status, fmi2_text category, fmi2_text message, ...)
+static void hear(void *environment, fmi2_text name, fmi2_status status, fmi2_text category,
+                 fmi2_text message, ...)
 {
     (void)environment, (void)name, (void)category;
     fprintf(stderr, "%d %s\n", (int)status, message);
@@ -73,7 +75,8 @@ int main(int count, char **argument)
     fmi2_reference reference[MOST];
     double value[MOST];
     for (int k = FIRST; k < count; k++) reference[k - FIRST] = (fmi2_reference)atoi(argument[k]);
-    fmi2_component c = f.fmi2Instantiate("host", FMI2_CO_SIMULATION, argument[3], argument[2], &CALLBACKS, 0, 0);
+    fmi2_component c =
+        f.fmi2Instantiate("host", FMI2_CO_SIMULATION, argument[3], argument[2], &CALLBACKS, 0, 0);
     need(c != NULL, "no instance");
     need(!f.fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0), "setupExperiment");
     need(!f.fmi2EnterInitializationMode(c) && !f.fmi2ExitInitializationMode(c), "initialization");

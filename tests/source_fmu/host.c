@@ -1,9 +1,10 @@
-/* A program of two FMUs of FMI 2 or, with -DFMI=3, 3 that are compiled into it, as a controller has them, with prefixes a_ and b_:
+/* A program of two FMUs of FMI 2 or, with -DFMI=3, 3 that are compiled into it, as a controller has
+   them, with prefixes a_ and b_:
 
        host STEPS  GUID STEP INPUT OUTPUT ...  -  GUID STEP INPUT OUTPUT ...
 
-   Both move in turns. INPUT, a value reference or -1, is 0, 0.25, 0.5, 0.75, 0, ...; the OUTPUTs are written after each step, one a
-   line. Exit code 1: a call was refused. */
+   Both move in turns. INPUT, a value reference or -1, is 0, 0.25, 0.5, 0.75, 0, ...; the OUTPUTs
+   are written after each step, one a line. Exit code 1: a call was refused. */
 #include "fmi2.h"
 #include "fmi3.h"
 
@@ -54,14 +55,17 @@ static void hear(void *environment, fmi3_status status, fmi3_text category, fmi3
 
 static void initialise(fmu *f, const char *token)
 {
-    f->instance = f->fmi3InstantiateCoSimulation("compiled in", token, NULL, 0, 0, 0, 0, NULL, 0, NULL, hear, NULL);
+    f->instance = f->fmi3InstantiateCoSimulation("compiled in", token, NULL, 0, 0, 0, 0, NULL, 0,
+                                                 NULL, hear, NULL);
     if (!f->instance) exit(1);
     must(f->fmi3EnterInitializationMode(f->instance, 0, 0.0, 0.0, 0, 0.0));
     must(f->fmi3ExitInitializationMode(f->instance));
 }
 
-static void set(fmu *f, uint32_t input, double value) { must(f->fmi3SetFloat64(f->instance, &input, 1, &value, 1)); }
-static void get(fmu *f, double *output) { must(f->fmi3GetFloat64(f->instance, f->output, f->n_outputs, output, f->n_outputs)); }
+static void set(fmu *f, uint32_t input, double value)
+{ must(f->fmi3SetFloat64(f->instance, &input, 1, &value, 1)); }
+static void get(fmu *f, double *output)
+{ must(f->fmi3GetFloat64(f->instance, f->output, f->n_outputs, output, f->n_outputs)); }
 
 static void step(fmu *f, double t)
 {
@@ -74,7 +78,8 @@ static void release(fmu *f) { f->fmi3FreeInstance(f->instance); }
 
 #else
 
-static void hear(void *environment, fmi2_text instance, fmi2_status status, fmi2_text category, fmi2_text message, ...)
+static void hear(void *environment, fmi2_text instance, fmi2_status status, fmi2_text category,
+                 fmi2_text message, ...)
 {
     (void)environment;
     fprintf(stderr, "%s %d %s: %s\n", instance, (int)status, category, message);
@@ -83,15 +88,18 @@ static void hear(void *environment, fmi2_text instance, fmi2_status status, fmi2
 static void initialise(fmu *f, const char *guid)
 {
     static const fmi2_callbacks callbacks = {.logger = hear};
-    f->instance = f->fmi2Instantiate("compiled in", FMI2_CO_SIMULATION, guid, NULL, &callbacks, 0, 0);
+    f->instance =
+        f->fmi2Instantiate("compiled in", FMI2_CO_SIMULATION, guid, NULL, &callbacks, 0, 0);
     if (!f->instance) exit(1);
     must(f->fmi2SetupExperiment(f->instance, 0, 0.0, 0.0, 0, 0.0));
     must(f->fmi2EnterInitializationMode(f->instance));
     must(f->fmi2ExitInitializationMode(f->instance));
 }
 
-static void set(fmu *f, uint32_t input, double value) { must(f->fmi2SetReal(f->instance, &input, 1, &value)); }
-static void get(fmu *f, double *output) { must(f->fmi2GetReal(f->instance, f->output, f->n_outputs, output)); }
+static void set(fmu *f, uint32_t input, double value)
+{ must(f->fmi2SetReal(f->instance, &input, 1, &value)); }
+static void get(fmu *f, double *output)
+{ must(f->fmi2GetReal(f->instance, f->output, f->n_outputs, output)); }
 static void step(fmu *f, double t) { must(f->fmi2DoStep(f->instance, t, f->step, 1)); }
 static void release(fmu *f) { f->fmi2FreeInstance(f->instance); }
 
@@ -102,7 +110,8 @@ static char **begin(fmu *f, char **a)
 {
     const char *token = a[0];
     f->step = atof(a[1]), f->input = atoi(a[2]);
-    for (a += 3; *a && strcmp(*a, "-") && f->n_outputs < MOST_OUTPUTS; a++) f->output[f->n_outputs++] = (uint32_t)atoi(*a);
+    for (a += 3; *a && strcmp(*a, "-") && f->n_outputs < MOST_OUTPUTS; a++)
+        f->output[f->n_outputs++] = (uint32_t)atoi(*a);
     initialise(f, token);
     return a + !!*a;
 }

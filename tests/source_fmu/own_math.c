@@ -1,4 +1,5 @@
-/* The own functions of sources beside those of libm: the number of doubles, of many kinds, in which a function differs. */
+/* The own functions of sources beside those of libm: the number of doubles, of many kinds, in which
+   a function differs. */
 #include <math.h>
 #include <stdio.h>
 
@@ -21,7 +22,9 @@ static int differs(double a, double b) { return !(a != a && b != b) && own_bits(
 
 static double some(uint64_t *seed)
 {
-    static const double odd[] = {0.0, -0.0, 0.5, -0.5, 1.0, 1.5, 3.0, 0x1p52, 0x1.fffffffffffffp51, 0x1p-1074, 0x1.8p-1060, 0x1p-1022, INFINITY};
+    static const double odd[] = {
+        0.0,       -0.0,        0.5,       -0.5,    1.0, 1.5, 3.0, 0x1p52, 0x1.fffffffffffffp51,
+        0x1p-1074, 0x1.8p-1060, 0x1p-1022, INFINITY};
     const uint64_t r = *seed = *seed * 6364136223846793005u + 1442695040888963407u;
     if (r >> 60 == 0) return odd[(r >> 32) % (sizeof odd / sizeof *odd)];
     if (r >> 62 == 1) return 0.0 + own_double(r << 32 | r >> 32); /* of any size, or a quiet NaN */
@@ -46,10 +49,10 @@ static void report(const char *name, int n) { printf("%s %d\n", name, n); }
 
 int main(void)
 {
-    ONE(floor) ONE(ceil) ONE(sqrt) ONE(fabs)
-    TWO(fmod) TWO(copysign) TWO(next)
-    COMPARE(fmax, 0.0 + own_fmax(x, y), 0.0 + libm_fmax(x, y)) /* of 0 and -0 the standard takes either */
-    COMPARE(fmin, 0.0 + own_fmin(x, y), 0.0 + libm_fmin(x, y))
-    COMPARE(slow_sqrt, own_slow_sqrt(x), libm_sqrt(x))
-    return 0;
+    ONE(floor)
+    ONE(ceil) ONE(sqrt) ONE(fabs) TWO(fmod) TWO(copysign) TWO(next)
+        COMPARE(fmax, 0.0 + own_fmax(x, y),
+                0.0 + libm_fmax(x, y)) /* of 0 and -0 the standard takes either */
+        COMPARE(fmin, 0.0 + own_fmin(x, y), 0.0 + libm_fmin(x, y))
+            COMPARE(slow_sqrt, own_slow_sqrt(x), libm_sqrt(x)) return 0;
 }

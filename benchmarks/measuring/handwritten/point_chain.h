@@ -1,15 +1,18 @@
-/* The least that a half step of the method takes for a chain of N equal points on N equal rods from the origin, DIM
-   coordinates each, written by hand: number, shape and order of everything are known to the compiler. It is the yardstick
-   of the kernel's instructions, and nothing else uses it.
+/* The least that a half step of the method takes for a chain of N equal points on N equal rods from
+   the origin, DIM coordinates each, written by hand: number, shape and order of everything are
+   known to the compiler. It is the yardstick of the kernel's instructions, and nothing else uses
+   it.
 
-   Same method as the kernel's: pairs of half steps of the conserving augmented Lagrangian, compensated positions
-   and velocities, rods at the beginning to twice the digits, predicted accelerations and multipliers, Newton's
-   iteration with factors that are kept and multipliers that follow, stopped by the same rules, except that trust in a
-   learned contraction does not fade. The tangent leaves the geometric stiffness out, so that its Schur complement
-   G M^-1 G' is tridiagonal; what this leaves of an increment is learned on the way, so that one increment may end a half
-   step. No energies are booked, and what is left of the momentum balance is not handed on.
+   Same method as the kernel's: pairs of half steps of the conserving augmented Lagrangian,
+   compensated positions and velocities, rods at the beginning to twice the digits, predicted
+   accelerations and multipliers, Newton's iteration with factors that are kept and multipliers that
+   follow, stopped by the same rules, except that trust in a learned contraction does not fade. The
+   tangent leaves the geometric stiffness out, so that its Schur complement G M^-1 G' is
+   tridiagonal; what this leaves of an increment is learned on the way, so that one increment may
+   end a half step. No energies are booked, and what is left of the momentum balance is not handed
+   on.
 
-   Define N, DIM and ADVANCE before this file is included.                                                       */
+   Define N, DIM and ADVANCE before this file is included. */
 #include <math.h>
 #include <string.h>
 
@@ -19,21 +22,24 @@ typedef double vector[DIM];
 enum { MU = N * DIM, VALUES = MU + N };
 
 typedef struct chain {
-    double mass, length, gravity; /* of one point [kg], of one rod [m], along the last axis [m/s^2]              */
-    double penalty, tolerance;    /* as the kernel's settings penalty and newton_tolerance                       */
-    double reference, floor;      /* energy [J]; round-off of increments in the mass norm [kg^1/2 m]             */
-    double known, solves, iterations; /* half steps since the start, in this call, Newton iterations in this call */
+    double mass, length,
+        gravity; /* of one point [kg], of one rod [m], along the last axis [m/s^2] */
+    double penalty, tolerance;    /* as the kernel's settings penalty and newton_tolerance */
+    double reference, floor; /* energy [J]; round-off of increments in the mass norm [kg^1/2 m] */
+    double known, solves,
+        iterations; /* half steps since the start, in this call, Newton iterations in this call */
     vector q[N], q_low[N], v[N], v_low[N];
-    double pair[2][VALUES];       /* values of either half of the last pair                                      */
-    double before[2][VALUES];     /* and of the pair before it                                                   */
-    double missed[2][2][VALUES];  /* [half][now, before]: what the polynomial missed in these pairs              */
-    double contraction;           /* of increments, as second ones have told; 1 before that                      */
+    double pair[2][VALUES];       /* values of either half of the last pair */
+    double before[2][VALUES];     /* and of the pair before it */
+    double missed[2][2]
+                 [VALUES]; /* [half][now, before]: what the polynomial missed in these pairs */
+    double contraction;           /* of increments, as second ones have told; 1 before that */
 } chain;
 
 typedef struct half_step {
     vector hv[N], w[N], d[N], u0[N], um[N], momentum[N];
     double phi0[N], phi[N], mu[N], epsilon[N];
-    vector end[N], middle[N];     /* gradients over 2 of the factors: links at the end, in the middle             */
+    vector end[N], middle[N]; /* gradients over 2 of the factors: links at the end, in the middle */
     double pivot[N], lower[N], upper[N];
 } half_step;
 
@@ -55,14 +61,17 @@ static inline void add(double *high, double *low, double x)
     *high = s;
 }
 
-/* |u|^2 - L^2 with u = (x + x_low) - (y + y_low) to about twice the digits of a double; y is NULL at the origin. */
-static inline double rod_at_start(const double *x, const double *x_low, const double *y, const double *y_low, double square)
+/* |u|^2 - L^2 with u = (x + x_low) - (y + y_low) to about twice the digits of a double; y is NULL
+   at the origin. */
+static inline double rod_at_start(const double *x, const double *x_low, const double *y,
+                                  const double *y_low, double square)
 {
     double high = -square, low = 0.0;
     EACH(k) {
         const double s = y ? x[k] - y[k] : x[k], t = s - x[k];
         const double s_low = y ? (x[k] - (s - t)) - (y[k] + t) + (x_low[k] - y_low[k]) : x_low[k];
-        const double far = 134217729.0 * s, near = far - (far - s), rest = s - near, product = s * s;
+        const double far = 134217729.0 * s, near = far - (far - s), rest = s - near,
+                     product = s * s;
         const double sum = high + product, part = sum - high;
         low += (high - (sum - part)) + (product - part);
         low += ((near * near - product) + 2.0 * near * rest) + rest * rest + 2.0 * s * s_low;
@@ -75,7 +84,9 @@ static inline double rod_at_start(const double *x, const double *x_low, const do
 static inline double followed(const chain *c, int half, int i)
 {
     const double last = c->pair[1 - half][i], same = c->pair[half][i];
-    return last + (-6.0 * (same - last) + 4.0 * (c->before[1 - half][i] - last) - (c->before[half][i] - last));
+    return last
+           + (-6.0 * (same - last) + 4.0 * (c->before[1 - half][i] - last)
+              - (c->before[half][i] - last));
 }
 
 /* Value i there, and what the polynomial will miss, as far as the pairs before tell. */
@@ -97,7 +108,8 @@ static inline void remember(chain *c, int half, int i, double fresh)
 
 static inline void prepare(const chain *c, half_step *s, double h, int half)
 {
-    const double square = c->length * c->length, stiff = h * h * 2.0 * square / (c->mass * c->penalty);
+    const double square = c->length * c->length,
+                 stiff = h * h * 2.0 * square / (c->mass * c->penalty);
     POINTS(i) EACH(k) {
         s->hv[i][k] = h * c->v[i][k] + h * c->v_low[i][k];
         s->w[i][k] = 0.5 * h * h * predicted(c, half, DIM * i + k);
@@ -105,7 +117,9 @@ static inline void prepare(const chain *c, half_step *s, double h, int half)
     }
     POINTS(i) {
         const double *y = i ? c->q[i - 1] : NULL, *y_low = i ? c->q_low[i - 1] : NULL;
-        EACH(k) s->u0[i][k] = i ? (c->q[i][k] - y[k]) + (c->q_low[i][k] - y_low[k]) : c->q[i][k] + c->q_low[i][k];
+        EACH(k)
+            s->u0[i][k] =
+                i ? (c->q[i][k] - y[k]) + (c->q_low[i][k] - y_low[k]) : c->q[i][k] + c->q_low[i][k];
         s->phi0[i] = rod_at_start(c->q[i], c->q_low[i], y, y_low, square);
         s->mu[i] = predicted(c, half, MU + i);
         s->epsilon[i] = i ? 2.0 * stiff : stiff; /* h^2 sigma/(2 chi) */
@@ -169,7 +183,9 @@ static inline void increment(const chain *c, half_step *s, double h, double *eta
     double moved = 0.0, size = 0.0;
     POINTS(i) {
         vector change;
-        EACH(k) change[k] = -inverse * (s->momentum[i][k] + sum[i][k] - (i + 1 < N ? sum[i + 1][k] : 0.0));
+        EACH(k)
+            change[k] =
+                -inverse * (s->momentum[i][k] + sum[i][k] - (i + 1 < N ? sum[i + 1][k] : 0.0));
         EACH(k) s->w[i][k] += change[k];
         EACH(k) s->d[i][k] = s->hv[i][k] + s->w[i][k];
         moved += dot(change, change);
@@ -179,26 +195,30 @@ static inline void increment(const chain *c, half_step *s, double h, double *eta
     *size2 = c->mass * size;
 }
 
-/* What Newton's iteration knows of itself: contraction, the last one that is more than round-off, last increment and d in
-   the mass norm, largest defect of a rod. */
+/* What Newton's iteration knows of itself: contraction, the last one that is more than round-off,
+   last increment and d in the mass norm, largest defect of a rod. */
 typedef struct progress {
     double theta, seen, eta, size2, defect;
 } progress;
 
-/* What the last increment tells of the contraction, after the one before it of size `previous`. The tangent lacks the same
-   stiffness in all increments of a half step: the second one tells what the first ones of the next half steps leave. */
+/* What the last increment tells of the contraction, after the one before it of size `previous`. The
+   tangent lacks the same stiffness in all increments of a half step: the second one tells what the
+   first ones of the next half steps leave. */
 static inline void judge(chain *c, int iteration, double previous, progress *r)
 {
     const double size = sqrt(r->size2);
     r->theta = r->eta / previous;
     r->seen = r->eta < 1e-15 * size ? fmin(r->seen, r->theta) : r->theta;
-    if (iteration == 1 && (r->theta < c->contraction || r->eta > 1e-12 * size)) c->contraction = fmin(r->theta, 1.0);
+    if (iteration == 1 && (r->theta < c->contraction || r->eta > 1e-12 * size))
+        c->contraction = fmin(r->theta, 1.0);
 }
 
-/* Whether what is left of the increments, the rods, their energy and the work of what is left of the momentum balance lie
-   far below the tolerance, or below it where rounding errors end the contraction. A single increment ends a half step
-   only where the rods hold better than they must after two. */
-static inline int is_solved(const chain *c, const half_step *s, double h, int iteration, progress *r)
+/* Whether what is left of the increments, the rods, their energy and the work of what is left of
+   the momentum balance lie far below the tolerance, or below it where rounding errors end the
+   contraction. A single increment ends a half step only where the rods hold better than they must
+   after two. */
+static inline int is_solved(const chain *c, const half_step *s, double h, int iteration,
+                            progress *r)
 {
     const double target = c->tolerance * sqrt(r->size2 + 2.0 * h * h * c->reference);
     const int is_stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(target, c->floor);
@@ -212,12 +232,14 @@ static inline int is_solved(const chain *c, const half_step *s, double h, int it
         work += dot(s->d[i], s->momentum[i]);
         rods += s->phi[i] * s->mu[i];
     }
-    const double energy = 0.5 * r->size2 / (h * h) + c->reference, noise = 0.5 * c->floor * c->floor / (h * h);
+    const double energy = 0.5 * r->size2 / (h * h) + c->reference,
+                 noise = 0.5 * c->floor * c->floor / (h * h);
     const double round_off = c->tolerance * energy + noise;
     if (!(fabs(work / h) <= (is_stalled ? 1e4 : 1e-3) * round_off)) return 0;
     const double allowed = iteration ? fmax(1e-5 * c->tolerance, 5.6e-17) : 4e-18;
-    return (r->defect <= allowed * square && fabs(rods) <= 1e-3 * round_off) ||
-           (r->defect > 0.9 * last && r->defect <= c->tolerance * square && fabs(rods) <= 1e4 * round_off);
+    return (r->defect <= allowed * square && fabs(rods) <= 1e-3 * round_off)
+           || (r->defect > 0.9 * last && r->defect <= c->tolerance * square
+               && fabs(rods) <= 1e4 * round_off);
 }
 
 static inline void accept(chain *c, const half_step *s, double h, int half)
@@ -233,7 +255,8 @@ static inline void accept(chain *c, const half_step *s, double h, int half)
     c->known += 1.0;
 }
 
-/* One half step; 0, or 1 where Newton's iteration does not end: by hand one chooses steps where it contracts well. */
+/* One half step; 0, or 1 where Newton's iteration does not end: by hand one chooses steps where it
+   contracts well. */
 static int half_step_of(chain *c, double h, int half)
 {
     half_step s;

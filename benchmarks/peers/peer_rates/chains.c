@@ -1,4 +1,4 @@
-/* Chains of points and of bars, and the governor; functions and arguments as in planar.c.        */
+/* Chains of points and of bars, and the governor; functions and arguments as in planar.c. */
 #include <math.h>
 
 #define EXPORT __attribute__((visibility("default")))
@@ -15,7 +15,7 @@ static double dot(const double *a, const double *b, int n)
 
 /* --------------------------------------------------------------------------------- chain of points
    y = places and velocities, 3 each; p = count, mass. Rows d_i = q_i - q_{i-1} of constant length:
-   m a_i = lam_{i+1} d_{i+1} - lam_i d_i with d_i.(a_i - a_{i-1}) = -|w_i|^2: tridiagonal in lam.    */
+   m a_i = lam_{i+1} d_{i+1} - lam_i d_i with d_i.(a_i - a_{i-1}) = -|w_i|^2: tridiagonal in lam. */
 
 EXPORT void chain_rates(double t, const double *y, double *dy, const double *p)
 {
@@ -57,11 +57,11 @@ EXPORT void chain_look(double t, const double *y, double *out, const double *p)
     out[12] = 0.5 * p[1] * dot(y + 3 * n, y + 3 * n, 3 * n);
 }
 
-/* ---------------------------------------------------------------------------- hanging chain of bars
+/* --------------------------------------------------------------------------- hanging chain of bars
    y = places and velocities of the n - 1 inner nodes, 2 each; p = n, mass of a bar, gravity,
    damping, node with the damper, then the inverse of the nodes' mass matrix (n - 1)^2, and of it
    D Minv D' (n^2) with D the differences of neighbours. Nails at (-1, 0) and (1, 0), the damper's
-   foot at (0, -2). With directions d_j: K_jk (d_j.d_k) lam_k = d_j.(D Minv f)_j + |w_j|^2.          */
+   foot at (0, -2). With directions d_j: K_jk (d_j.d_k) lam_k = d_j.(D Minv f)_j + |w_j|^2. */
 
 static void differences(const double *q, int n, double ends, double (*d)[2])
 {
@@ -163,7 +163,8 @@ EXPORT void hanging_chain_look(double t, const double *y, double *out, const dou
 /* --------------------------------------------------------------------------------------- governor
    y = (s, a, s', a', turn of the shaft): height of the slider and angle of the rods below the
    horizontal; the shaft turns as its moment of momentum L says, I(a) w = L. p = rod, ball, slider,
-   stiffness, damping, gravity, L, moments of inertia of shaft and slider, of a rod across, along.   */
+   stiffness, damping, gravity, L, moments of inertia of shaft and slider, of a rod across,
+   along. */
 
 static void about_shaft(double a, const double *p, double *I, double *dI)
 {

@@ -2,7 +2,7 @@
 
    Every problem has two functions of the same arguments: `..._rates` writes y' and `..._look` the
    positions and velocities of its watched places, 3 each, and then its energy [J]. The order of the
-   constants p is that of benchmarks/peers/peer_reduced.py; SI units.                                     */
+   constants p is that of benchmarks/peers/peer_reduced.py; SI units. */
 #include <math.h>
 
 #define EXPORT __attribute__((visibility("default")))
@@ -11,7 +11,7 @@ static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] 
 
 /* ------------------------------------------------------------------------------- double pendulum
    y = (a, b, a', b'), angles from the vertical; p = length, mass, gravity.
-   2 a'' + c b'' = -s b'^2 - 2 (g/l) sin a,  c a'' + b'' = s a'^2 - (g/l) sin b                     */
+   2 a'' + c b'' = -s b'^2 - 2 (g/l) sin a,  c a'' + b'' = s a'^2 - (g/l) sin b */
 
 EXPORT void double_pendulum_rates(double t, const double *y, double *dy, const double *p)
 {
@@ -47,8 +47,8 @@ EXPORT void double_pendulum_look(double t, const double *y, double *out, const d
 }
 
 /* -------------------------------------------------------------------------------------- four-bar
-   All cranks stay parallel: y = (phi, phi') from the upright; p = I, W (for unit bars of unit mass),
-   gravity, place of the last pivot. I phi'' = W g sin phi                                          */
+   All cranks stay parallel: y = (phi, phi') from the upright; p = I, W (for unit bars of unit
+   mass), gravity, place of the last pivot. I phi'' = W g sin phi */
 
 EXPORT void four_bar_rates(double t, const double *y, double *dy, const double *p)
 {
@@ -74,7 +74,7 @@ EXPORT void four_bar_look(double t, const double *y, double *out, const double *
 
 /* --------------------------------------------------------------------------------------- Andrews
    One freedom, the crank's angle beta: I(beta) b'' + h(beta) b'^2 = torque - dV/dbeta. All points
-   follow by intersecting circles, with their first and second derivatives by beta.                 */
+   follow by intersecting circles, with their first and second derivatives by beta. */
 
 typedef struct {
     double q[2], d[2], dd[2]; /* place, first and second derivative */
@@ -178,7 +178,7 @@ EXPORT void andrews_look(double t, const double *y, double *out, const double *p
 
 /* -------------------------------------------------------------------------------------- car axis
    y = (s, chi, s', chi'): A = s n, B = A + l (cos chi, sin chi), n across the axle, whose angle is
-   asin(r sin(omega t)/l); p = mass, l, l0, r, omega, stiffness, gravity.                           */
+   asin(r sin(omega t)/l); p = mass, l, l0, r, omega, stiffness, gravity. */
 
 static void pull(const double *from, const double *at, const double *p, double *force, double *V)
 {

@@ -1,4 +1,4 @@
-/* Spatial mechanisms and chains in fewest coordinates; functions and arguments as in planar.c.   */
+/* Spatial mechanisms and chains in fewest coordinates; functions and arguments as in planar.c. */
 #include <math.h>
 
 #define EXPORT __attribute__((visibility("default")))
@@ -20,7 +20,7 @@ static void cross(const double *a, const double *b, double *c)
 
 /* ------------------------------------------------------------------------------------- heavy top
    y = (quaternion w, x, y, z; angular velocity in body axes); p = A, C about the tip, m c, gravity.
-   J omega' = J omega x omega + m c e_3 x R'g, g = -g e_z                                           */
+   J omega' = J omega x omega + m c e_3 x R'g, g = -g e_z */
 
 EXPORT void heavy_top_rates(double t, const double *y, double *dy, const double *p)
 {
@@ -41,7 +41,8 @@ EXPORT void heavy_top_rates(double t, const double *y, double *dy, const double 
 EXPORT void heavy_top_look(double t, const double *y, double *out, const double *p)
 {
     const double *q = y, *o = y + 4, n2 = dot(q, q, 4);
-    double third[3] = {2.0 * (q[1] * q[3] + q[0] * q[2]) / n2, 2.0 * (q[2] * q[3] - q[0] * q[1]) / n2,
+    double third[3] = {2.0 * (q[1] * q[3] + q[0] * q[2]) / n2,
+                       2.0 * (q[2] * q[3] - q[0] * q[1]) / n2,
                        (q[0] * q[0] + q[3] * q[3] - q[1] * q[1] - q[2] * q[2]) / n2};
     const double first[3] = {(q[0] * q[0] + q[1] * q[1] - q[2] * q[2] - q[3] * q[3]) / n2,
                              2.0 * (q[1] * q[2] + q[0] * q[3]) / n2,
@@ -53,13 +54,14 @@ EXPORT void heavy_top_look(double t, const double *y, double *out, const double 
         out[k] = third[k];
         out[3 + k] = o[1] * first[k] - o[0] * second[k];
     }
-    out[6] = 0.5 * (p[0] * (o[0] * o[0] + o[1] * o[1]) + p[1] * o[2] * o[2]) + p[2] * p[3] * third[2];
+    out[6] =
+        0.5 * (p[0] * (o[0] * o[0] + o[1] * o[1]) + p[1] * o[2] * o[2]) + p[2] * p[3] * third[2];
 }
 
 /* --------------------------------------------------------------------------------------- Bricard
    One freedom psi: hinges turn by -(alpha - 90°), -(beta - 90°) in turn, and the loop closes where
    (1 + u^2)(1 + w^2) = 4, u = tan(alpha/2), w = tan(beta/2): u = sqrt(3) sin psi.
-   p = length, mass, moments of inertia along and across, gravity.                                  */
+   p = length, mass, moments of inertia along and across, gravity. */
 
 typedef struct {
     double I, h, V, dV, corner[3], slope[3]; /* h: half the derivative of I by psi */

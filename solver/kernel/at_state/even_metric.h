@@ -1,6 +1,7 @@
-/* A metric in which all points weigh nearly the same, and all directors: beside heavy parts light ones would do all of the moving, and
-   rows have compliances by their largest term (row_sigma), so that those between heavy parts would hardly be seen. Factors of masses
-   are squares of powers of 2, which leave no round-off in them. */
+/* A metric in which all points weigh nearly the same, and all directors: beside heavy parts light
+   ones would do all of the moving, and rows have compliances by their largest term (row_sigma), so
+   that those between heavy parts would hardly be seen. Factors of masses are squares of powers of
+   2, which leave no round-off in them. */
 #ifndef HOLONOM_EVEN_METRIC_H
 #define HOLONOM_EVEN_METRIC_H
 
@@ -16,7 +17,8 @@ static void scale_masses(const context *c, const double *factor, int back)
             const int32_t a = m->mass_node[2 * e + side];
             if (a < m->n_free) mass[e] *= back ? 1.0 / factor[a] : factor[a];
         }
-    for (int32_t a = 0; a < m->n_free; a++) share[a] *= back ? 1.0 / hm_square(factor[a]) : hm_square(factor[a]);
+    for (int32_t a = 0; a < m->n_free; a++)
+        share[a] *= back ? 1.0 / hm_square(factor[a]) : hm_square(factor[a]);
 }
 
 /* Lets masses differ by less than a factor of 4. Links are those at the state. */
@@ -26,7 +28,8 @@ HM_SELDOM static int32_t take_even_metric(context *c)
     const double extent = c->number[m->extent_at];
     double *factor = c->k.estimate, points = 0.0;
     for (int32_t a = 0; a < m->n_free; a++) {
-        const double wanted = (m->node_kind[a] ? extent : 1.0) / sqrt(c->number[m->node_mass_at + a]);
+        const double wanted =
+            (m->node_kind[a] ? extent : 1.0) / sqrt(c->number[m->node_mass_at + a]);
         for (factor[a] = 1.0; factor[a] < wanted;) factor[a] *= 2.0;
         while (factor[a] > wanted) factor[a] *= 0.5;
         points += m->node_kind[a] ? 0.0 : 1.0;

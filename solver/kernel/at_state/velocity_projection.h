@@ -1,18 +1,21 @@
-/* Takes from the velocities of the state what bilateral rows and closed contacts do not allow, and books its energy. */
+/* Takes from the velocities of the state what bilateral rows and closed contacts do not allow, and
+   books its energy. */
 #ifndef HOLONOM_VELOCITY_PROJECTION_H
 #define HOLONOM_VELOCITY_PROJECTION_H
 
 #include "contact.h"
 #include "rigid.h"
 
-/* Whether drivers or surfaces move, whose work is what a change of velocities adds to the kinetic energy and its losses. */
+/* Whether drivers or surfaces move, whose work is what a change of velocities adds to the kinetic
+   energy and its losses. */
 static int is_driven(const context *c)
 {
     double *rest = c->k.ahead, moved = c->m->n_signals;
     memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t f = 0; f < c->m->n_frictions; f++)
         for (int k = 0; k < n_slips(c, f); k++)
-            moved += fabs(function_rate(c, slip_row(c, f, k), c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate));
+            moved += fabs(function_rate(c, slip_row(c, f, k), c->s.q, c->s.q_low, rest, c->s.signal,
+                                        c->k.signal_rate));
     return moved > 0.0;
 }
 
@@ -23,8 +26,9 @@ static void velocities_for(const context *c, double *x)
     solve_for(c, x);
 }
 
-/* Part of the velocities that makes rows move which hold, with the other sign (hit_defect): a step leaves it by its order.
-   It is orthogonal to all that rows allow, so that its energy is apart. Factors are those at the state.         */
+/* Part of the velocities that makes rows move which hold, with the other sign (hit_defect): a step
+   leaves it by its order. It is orthogonal to all that rows allow, so that its energy is apart.
+   Factors are those at the state. */
 HM_SELDOM static void find_defect(const context *c)
 {
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
@@ -33,7 +37,8 @@ HM_SELDOM static void find_defect(const context *c)
 
 HM_SELDOM static void add_defect(context *c, double sign)
 {
-    for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++)
+        hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
 }
 
 /* Likewise, with new factors and without what sliding frictions do. */
@@ -48,15 +53,18 @@ HM_SELDOM static int32_t find_disallowed(context *c)
     return status;
 }
 
-/* Takes what has been found so from the velocities and books its energy in `account`; a change beyond it is work of drivers. */
+/* Takes what has been found so from the velocities and books its energy in `account`; a change
+   beyond it is work of drivers. */
 HM_SELDOM static void take_disallowed(context *c, int account)
 {
     add_defect(c, 1.0);
-    /* What was solved for near a singular configuration is not quite orthogonal: its own work is booked. */
+    /* What was solved for near a singular configuration is not quite orthogonal: its own work is
+       booked. */
     const double square = 0.5 * mass_product(c, c->k.hit_defect, c->k.hit_defect);
     double change = -square;
     momenta(c, c->k.momentum);
-    for (int32_t k = 0; k < DIM * c->m->n_free; k++) change += c->k.hit_defect[k] * c->k.momentum[k];
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++)
+        change += c->k.hit_defect[k] * c->k.momentum[k];
     const double loss = is_driven(c) ? square : -change;
     book(c, account, loss);
     book(c, S_WORK, change + loss);

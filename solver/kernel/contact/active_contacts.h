@@ -1,44 +1,49 @@
-/* First stage of a half step of stepped mode: solves the step with a choice of the contacts that are closed and of the
-   frictions that stick, an active set, and changes those that object until none does.                            */
+/* First stage of a half step of stepped mode: solves the step with a choice of the contacts that
+   are closed and of the frictions that stick, an active set, and changes those that object until
+   none does. */
 #ifndef HOLONOM_ACTIVE_CONTACTS_H
 #define HOLONOM_ACTIVE_CONTACTS_H
 
 #include "complementarity.h"
 
 enum {
-    MOST_CHOICES = 60, /* solutions of a half step                                                                */
-    PATIENCE = 5,      /* choices in turn that may not lower the number of objections                             */
-    FEW = 2,           /* objections that change the choice without a guess                                       */
-    FEW_NEAR = 8,      /* contacts near that need no guess                                                        */
+    MOST_CHOICES = 60, /* solutions of a half step */
+    PATIENCE = 5,      /* choices in turn that may not lower the number of objections */
+    FEW = 2,           /* objections that change the choice without a guess */
+    FEW_NEAR = 8,      /* contacts near that need no guess */
     MOST_GUESSES = 8,
-    MOST_SWEEPS = 10000 /* of a guess                                                                             */
+    MOST_SWEEPS = 10000 /* of a guess */
 };
-#define RELAXATION 1.6     /* of these sweeps                                                                   */
-#define BEYOND 10.0        /* times the largest force guessed: contacts contradict each other                   */
+#define RELAXATION 1.6     /* of these sweeps */
+#define BEYOND 10.0        /* times the largest force guessed: contacts contradict each other */
 
 /* Gradient of gap i over its free nodes, in the middle of the half step. */
 static int32_t gradient_of_gap(const context *c, int32_t i, double *gradient, double *gap)
 {
     const holonom_model *m = c->m;
-    const int32_t j = m->contact_row[i], size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+    const int32_t j = m->contact_row[i],
+                  size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
     const int32_t status = gap_at_end(c, i, gap);
     if (status) return status;
     local_gradients(c, j);
     for (int32_t k = 0; k < size; k++) gradient[k] = 0.0;
     for (int32_t f = 0; f < m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]; f++)
-        for (int32_t k = 0; k < size; k++) gradient[k] += c->k.slope[f] * c->k.gradient[size * f + k];
+        for (int32_t k = 0; k < size; k++)
+            gradient[k] += c->k.slope[f] * c->k.gradient[size * f + k];
     return HOLONOM_OK;
 }
 
-/* Chooses anew, from the half step that is solved, those contacts that would be closed if masses of nodes were all that
-   couples gaps: N >= 0 _|_ g + W (N - N_0) >= 0 by projected over-relaxed sweeps (Cryer 1971), which cost far less than
-   another factorisation. Where rows couple gaps, too, more will object.                                          */
+/* Chooses anew, from the half step that is solved, those contacts that would be closed if masses of
+   nodes were all that couples gaps: N >= 0 _|_ g + W (N - N_0) >= 0 by projected over-relaxed
+   sweeps (Cryer 1971), which cost far less than another factorisation. Where rows couple gaps, too,
+   more will object. */
 static int32_t guess_choice(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const int32_t stride = DIM * m->n_local_nodes + 4;
     const double half = 0.5 * c->h * c->h, none = PENETRATION * c->number[m->extent_at];
-    double *way = c->k.ahead, *const first = c->k.sweep, *end = first; /* of each near contact: gap, N, W, its index, gradient */
+    double *way = c->k.ahead, *const first = c->k.sweep,
+           *end = first; /* of each near contact: gap, N, W, its index, gradient */
     memset(way, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     EACH_CONTACT(c, i) {
         const int32_t j = m->contact_row[i], *node = m->composite_node + m->composite_node_ptr[j];
@@ -49,19 +54,24 @@ static int32_t guess_choice(context *c, int parity)
         end[1] = is_closed(c, i) ? normal_in_step(c, i) : 0.0;
         end[2] = 0.0;
         end[3] = i;
-        for (int32_t k = 0; k < size; k++) end[2] += half * hm_square(end[4 + k]) / c->number[m->node_mass_at + node[k / DIM]];
+        for (int32_t k = 0; k < size; k++)
+            end[2] += half * hm_square(end[4 + k]) / c->number[m->node_mass_at + node[k / DIM]];
         end += stride;
     }
     for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
         double largest = 0.0;
         for (double *at = first; at < end; at += stride) {
-            const int32_t j = m->contact_row[(int32_t)at[3]], *node = m->composite_node + m->composite_node_ptr[j];
+            const int32_t j = m->contact_row[(int32_t)at[3]],
+                          *node = m->composite_node + m->composite_node_ptr[j];
             const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
             double gap = at[0];
-            for (int32_t k = 0; k < size; k++) gap += at[4 + k] * way[DIM * node[k / DIM] + k % DIM];
-            const double normal = at[2] > 0.0 ? fmax(at[1] - RELAXATION * gap / at[2], 0.0) : 0.0, change = normal - at[1];
             for (int32_t k = 0; k < size; k++)
-                way[DIM * node[k / DIM] + k % DIM] += half * change * at[4 + k] / c->number[m->node_mass_at + node[k / DIM]];
+                gap += at[4 + k] * way[DIM * node[k / DIM] + k % DIM];
+            const double normal = at[2] > 0.0 ? fmax(at[1] - RELAXATION * gap / at[2], 0.0) : 0.0,
+                         change = normal - at[1];
+            for (int32_t k = 0; k < size; k++)
+                way[DIM * node[k / DIM] + k % DIM] +=
+                    half * change * at[4 + k] / c->number[m->node_mass_at + node[k / DIM]];
             at[1] = normal;
             largest = fmax(largest, fabs(change) * at[2]);
         }
@@ -70,21 +80,24 @@ static int32_t guess_choice(context *c, int parity)
     for (const double *at = first; at < end; at += stride) {
         const int32_t i = (int32_t)at[3];
         touch_of(c, i)->normal = at[1];
-        c->s.mu[parity][row_of(c, m->contact_row[i])] = -at[1]; /* decides what dependent rows leave open */
+        c->s.mu[parity][row_of(c, m->contact_row[i])] =
+            -at[1]; /* decides what dependent rows leave open */
         if (at[1] > 0.0 && !is_closed(c, i)) close_contact_at(c, i, 0.0);
         else if (!(at[1] > 0.0) && is_closed(c, i)) open_contact(c, i);
     }
     return HOLONOM_OK;
 }
 
-/* Of closed contacts that contradict each other, since there are more of them than they can hold, opens the one whose force
-   vanishes first on the way from the last one solved to where the failed iteration has gone; 0 if there is none.  */
+/* Of closed contacts that contradict each other, since there are more of them than they can hold,
+   opens the one whose force vanishes first on the way from the last one solved to where the failed
+   iteration has gone; 0 if there is none. */
 static int open_contradicting(context *c)
 {
     double least = INFINITY;
     int32_t first = -1;
     EACH_CONTACT(c, i) {
-        const double before = fmax(touch_of(c, i)->normal, 0.0), change = is_closed(c, i) ? before - normal_in_step(c, i) : 0.0;
+        const double before = fmax(touch_of(c, i)->normal, 0.0),
+                     change = is_closed(c, i) ? before - normal_in_step(c, i) : 0.0;
         if (change > before && before / change < least) least = before / change, first = i;
     }
     if (first < 0) return 0;
@@ -93,7 +106,8 @@ static int open_contradicting(context *c)
     return 1;
 }
 
-/* Whether forces are far beyond those that were guessed: closed contacts hold each other, up to a little that they contradict. */
+/* Whether forces are far beyond those that were guessed: closed contacts hold each other, up to a
+   little that they contradict. */
 static int contradicts(const context *c, int guessed)
 {
     double largest = 0.0;
@@ -118,12 +132,14 @@ static void keep_normals(const context *c)
 /* Whether a step that was solved so may have failed by its choice. */
 static inline int may_choose_anew(int32_t status)
 {
-    return status == HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_UZAWA_DIVERGED;
+    return status == HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NEWTON_DIVERGED
+           || status == HOLONOM_UZAWA_DIVERGED;
 }
 
-/* Solves the half step with the choice at hand until no contact or friction objects. Where many do, they are guessed anew.
-   Else all change at once as long as they become fewer now and then, or the last one alone, by which no choice comes back
-   (Murty 1974; Judice and Pires 1994), until they are fewer again.                                              */
+/* Solves the half step with the choice at hand until no contact or friction objects. Where many do,
+   they are guessed anew. Else all change at once as long as they become fewer now and then, or the
+   last one alone, by which no choice comes back (Murty 1974; Judice and Pires 1994), until they are
+   fewer again. */
 static int32_t solve_choices(context *c, int parity, int at_once)
 {
     int fewest = INT_MAX, patience = PATIENCE, together = 0, guesses = 0;
@@ -138,7 +154,8 @@ static int32_t solve_choices(context *c, int parity, int at_once)
         if (status || !x.count) return status;
         if (x.count < fewest) fewest = x.count, patience = PATIENCE;
         else if (patience > 0) patience--;
-        if (are_many && solved && !guesses) { /* closed contacts contradict each other: from none on */
+        if (are_many && solved
+            && !guesses) { /* closed contacts contradict each other: from none on */
             EACH_CONTACT(c, i) open_contact(c, i);
             continue;
         }
@@ -155,7 +172,8 @@ static int32_t solve_choices(context *c, int parity, int at_once)
     return HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* First stage. Slips that stop do so within the half step or, where no choice agrees, at its start. */
+/* First stage. Slips that stop do so within the half step or, where no choice agrees, at its
+   start. */
 static int32_t solve_contacts(context *c, int parity)
 {
     int32_t status = HOLONOM_CONTACT_UNDECIDED;

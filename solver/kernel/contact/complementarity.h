@@ -1,20 +1,22 @@
-/* Whether a half step that is solved obeys the laws of contact, with which contacts are closed and which frictions stick:
+/* Whether a half step that is solved obeys the laws of contact, with which contacts are closed and
+   which frictions stick:
 
-       0 <= N _|_ g(q_1) >= 0,     |T| <= c_s N + preload where there is no slip, else T = (c N + preload) t.
+       0 <= N _|_ g(q_1) >= 0,     |T| <= c_s N + preload where there is no slip, else T = (c N +
+   preload) t.
 
-   A contact or friction that violates its law objects to the choice, and may change.                             */
+   A contact or friction that violates its law objects to the choice, and may change. */
 #ifndef HOLONOM_COMPLEMENTARITY_H
 #define HOLONOM_COMPLEMENTARITY_H
 
 #include "half_step_contacts.h"
 
-#define ROUND_OFF 1e-15  /* of a coordinate, over the size of the mechanism                                         */
+#define ROUND_OFF 1e-15  /* of a coordinate, over the size of the mechanism */
 
 /* Way of the node that moves most in the half step. */
 static double largest_way(const context *c) { return sqrt(largest_square(c, c->k.d)); }
 
-/* Contacts and frictions (behind the contacts) that object to a choice: how many, and the last one; and which of them are to
-   change. */
+/* Contacts and frictions (behind the contacts) that object to a choice: how many, and the last one;
+   and which of them are to change. */
 typedef struct objections {
     int count;
     int32_t last, changing;
@@ -23,17 +25,21 @@ typedef struct objections {
 
 enum { NONE_CHANGES = -2, ALL_CHANGE = -1 };
 
-/* Counts contact k, or friction k - n_contacts, among the objections; returns whether it is to change. */
+/* Counts contact k, or friction k - n_contacts, among the objections; returns whether it is to
+   change. */
 static int add_objection(context *c, objections *x, int32_t k)
 {
     const int changes = x->changing == ALL_CHANGE || x->changing == k;
     x->count++;
     x->last = k;
-    if (changes) blame(c, k < c->m->n_contacts ? c->m->contact_row[k] : slip_row(c, k - c->m->n_contacts, 0));
+    if (changes)
+        blame(c,
+              k < c->m->n_contacts ? c->m->contact_row[k] : slip_row(c, k - c->m->n_contacts, 0));
     return changes;
 }
 
-/* Closes open contacts that the half step leaves in penetration, of those that are near or of `all`. */
+/* Closes open contacts that the half step leaves in penetration, of those that are near or of
+   `all`. */
 static int32_t close_crossed(context *c, int all, objections *x)
 {
     const double none = PENETRATION * c->number[c->m->extent_at], reach = 4.0 * largest_way(c);
@@ -43,7 +49,10 @@ static int32_t close_crossed(context *c, int all, objections *x)
         const int32_t *leaf = c->m->leaf + 4 * c->m->leaf_ptr[c->m->contact_row[i]];
         const int turns = leaf[0] != LEAF_SIGNAL && c->m->quantity_kind[leaf[1]] == QUANTITY_ANGLE;
         double gap = INFINITY;
-        if (is_closed(c, i) || (touch_of(c, i)->is_near == 0.0 && (!all || (!turns && touch_of(c, i)->gap > reach)))) continue;
+        if (is_closed(c, i)
+            || (touch_of(c, i)->is_near == 0.0
+                && (!all || (!turns && touch_of(c, i)->gap > reach))))
+            continue;
         status = gap_at_end(c, i, &gap);
         if (!(gap < -none)) continue;
         touch_of(c, i)->is_near = 1.0;
@@ -56,17 +65,21 @@ static int32_t close_crossed(context *c, int all, objections *x)
 static double noise_of_normal(const context *c, int32_t i)
 {
     const double *number = c->number, place = ROUND_OFF * number[c->m->extent_at];
-    return 2.0 * place / (c->h * c->h * number[c->m->row_sigma_at + row_of(c, c->m->contact_row[i])]);
+    return 2.0 * place
+           / (c->h * c->h * number[c->m->row_sigma_at + row_of(c, c->m->contact_row[i])]);
 }
 
-/* Opens closed contacts that would pull. One whose friction sticks slides first: its friction may be what pulls. */
+/* Opens closed contacts that would pull. One whose friction sticks slides first: its friction may
+   be what pulls. */
 static void open_pulling(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal(c, c->k.mu);
     EACH_CONTACT(c, i) {
         const int32_t f = c->m->contact_friction[i];
         double along[3];
-        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i)) || !add_objection(c, x, i)) continue;
+        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i))
+            || !add_objection(c, x, i))
+            continue;
         const int jams = f >= 0 && friction_mode(c, f) == FRICTION_STICKS && c->k.flips[f] < 2.0;
         if (!jams || !(friction_force(c, f, c->k.mu, along) > 0.0)) {
             open_contact(c, i);
@@ -78,8 +91,9 @@ static void open_pulling(context *c, objections *x)
     }
 }
 
-/* Lets frictions beyond their cones slide, and those stop whose slip the half step would reverse. A contact that lands slows
-   the slip of joints, too: one that then goes on until the end does not stop before. */
+/* Lets frictions beyond their cones slide, and those stop whose slip the half step would reverse. A
+   contact that lands slows the slip of joints, too: one that then goes on until the end does not
+   stop before. */
 static void change_frictions(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal(c, c->k.mu), still = 1e-3 * speed_tolerance(c);
@@ -92,12 +106,17 @@ static void change_frictions(context *c, objections *x)
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_force(c, f, c->k.mu));
             const double force = friction_force(c, f, c->k.mu, along);
-            if (!(force > limit + CONE_MARGIN * fabs(limit) + none) || !add_objection(c, x, c->m->n_contacts + f)) continue;
+            if (!(force > limit + CONE_MARGIN * fabs(limit) + none)
+                || !add_objection(c, x, c->m->n_contacts + f))
+                continue;
             forget_stop(c, f);
             let_slide(c, f, along);
         } else {
-            const double before = along_direction(c, f, c->k.slip_before), mean = along_direction(c, f, c->k.slip);
-            const double least = x->at_once || (lands && !is_of_contact(c, f)) ? 0.0 : 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0);
+            const double before = along_direction(c, f, c->k.slip_before),
+                         mean = along_direction(c, f, c->k.slip);
+            const double least = x->at_once || (lands && !is_of_contact(c, f))
+                                     ? 0.0
+                                     : 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0);
             if (!(mean < least - still) || !add_objection(c, x, c->m->n_contacts + f)) continue;
             forget_stop(c, f);
             if (before > 0.0 && !x->at_once) let_stop(c, f, 0.5 * before / (before - mean));
@@ -107,8 +126,8 @@ static void change_frictions(context *c, objections *x)
     }
 }
 
-/* Counts the objections to the step that was solved with `status`, and changes those of `changing`. Rows that contradict each
-   other leave a step unsolved, with forces that pull. */
+/* Counts the objections to the step that was solved with `status`, and changes those of `changing`.
+   Rows that contradict each other leave a step unsolved, with forces that pull. */
 static int32_t look_for_objections(context *c, int32_t status, objections *x)
 {
     x->count = 0;

@@ -1,6 +1,7 @@
 /* Contacts and frictions at a state: gaps, slips, and what holds at the level of accelerations.
 
-   Touching contacts that do not part, and frictions that do not slide, are rows. Which do is a complementarity problem
+   Touching contacts that do not part, and frictions that do not slide, are rows. Which do is a
+   complementarity problem
 
        0 <= N _|_ gap'' >= 0,     |T| <= c_s N + preload where there is no slip,
 
@@ -11,13 +12,14 @@
 #include "start.h"
 
 /* What counts as zero, relative to the scale named. */
-#define TOUCHING 1e-10 /* gap over the size of the mechanism up to which a contact takes part in an impact */
-#define RESTING 1e-10  /* speed over that of the mechanism                                               */
-#define NO_FORCE 1e-11 /* force over the largest normal force                                            */
-#define NO_GROWTH 1e-9 /* acceleration over the largest one                                              */
-#define GIVEN_BY_FORCE 1e-12 /* growth of a slip over what its force changes of it                             */
-#define TURNED 1e-9    /* change of a unit direction                                                         */
-#define PARTING 1e-5   /* likewise, of the gap of a contact that the event at hand has opened            */
+#define TOUCHING                                                                                   \
+    1e-10 /* gap over the size of the mechanism up to which a contact takes part in an impact */
+#define RESTING 1e-10  /* speed over that of the mechanism */
+#define NO_FORCE 1e-11 /* force over the largest normal force */
+#define NO_GROWTH 1e-9 /* acceleration over the largest one */
+#define GIVEN_BY_FORCE 1e-12 /* growth of a slip over what its force changes of it */
+#define TURNED 1e-9    /* change of a unit direction */
+#define PARTING 1e-5   /* likewise, of the gap of a contact that the event at hand has opened */
 
 static double speed_tolerance(const context *c)
 {
@@ -34,10 +36,13 @@ HM_SELDOM static double growth_tolerance(const context *c)
     return NO_GROWTH * sqrt(most2);
 }
 
-HM_SELDOM static double gap_tolerance(const context *c) { return TOUCHING * c->number[c->m->extent_at]; }
+HM_SELDOM static double gap_tolerance(const context *c)
+{ return TOUCHING * c->number[c->m->extent_at]; }
 
-/* Gap of contact i at the state. Its quantities, as those of the rates below, are evaluated before. */
-static double gap_of(const context *c, int32_t i) { return value_of_function(c, c->m->contact_row[i], 0); }
+/* Gap of contact i at the state. Its quantities, as those of the rates below, are evaluated
+   before. */
+static double gap_of(const context *c, int32_t i)
+{ return value_of_function(c, c->m->contact_row[i], 0); }
 
 /* Rate of a function row, value of a velocity row at the state. */
 static double rate_of_row(const context *c, int32_t j)
@@ -57,14 +62,17 @@ HM_SELDOM static double second_rate_of_row(const context *c, int32_t j)
 }
 
 /* Rates of the slips of friction f in the motion v, at the state. */
-static void slips_in_motion(const context *c, int32_t f, const double *v, const double *signal_rate, double *rate)
+static void slips_in_motion(const context *c, int32_t f, const double *v, const double *signal_rate,
+                            double *rate)
 {
     for (int k = 0; k < n_slips(c, f); k++)
-        rate[k] = next_rate(c, k > 0 ? slip_row(c, f, k - 1) : -1, slip_row(c, f, k), c->s.q, c->s.q_low, v, c->s.signal, signal_rate);
+        rate[k] = next_rate(c, k > 0 ? slip_row(c, f, k - 1) : -1, slip_row(c, f, k), c->s.q,
+                            c->s.q_low, v, c->s.signal, signal_rate);
 }
 
 /* Likewise with the velocities. */
-static inline void slip_rates(const context *c, int32_t f, double *slip) { slips_in_motion(c, f, c->s.v, c->k.signal_rate, slip); }
+static inline void slip_rates(const context *c, int32_t f, double *slip)
+{ slips_in_motion(c, f, c->s.v, c->k.signal_rate, slip); }
 
 /* How fast they change, with the accelerations in w. */
 HM_SELDOM static void slip_changes(const context *c, int32_t f, double *change)
@@ -76,19 +84,23 @@ HM_SELDOM static void slip_changes(const context *c, int32_t f, double *change)
     slips_in_motion(c, f, c->k.w, none, change);
     for (int k = 0; k < n_slips(c, f); k++) {
         const int32_t j = slip_row(c, f, k);
-        change[k] += next_bias(c, k > 0 ? slip_row(c, f, k - 1) : -1, j) - own[k] + c->k.drift[row_of(c, j)];
+        change[k] +=
+            next_bias(c, k > 0 ? slip_row(c, f, k - 1) : -1, j) - own[k] + c->k.drift[row_of(c, j)];
     }
 }
 
 /* Normal force of contact i at the state, after evaluate_forces. */
-static double normal_of(const context *c, int32_t i) { return -c->k.event_mu[row_of(c, c->m->contact_row[i])]; }
+static double normal_of(const context *c, int32_t i)
+{ return -c->k.event_mu[row_of(c, c->m->contact_row[i])]; }
 
-/* Size of those of the multipliers mu that are of friction f, and these over it as a direction if wanted. */
+/* Size of those of the multipliers mu that are of friction f, and these over it as a direction if
+   wanted. */
 static double friction_force(const context *c, int32_t f, const double *mu, double *along)
 {
     double size2 = 0.0;
     for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(mu[row_of(c, slip_row(c, f, k))]);
-    for (int k = 0; k < n_slips(c, f) && along; k++) along[k] = size2 > 0.0 ? mu[row_of(c, slip_row(c, f, k))] / sqrt(size2) : 0.0;
+    for (int k = 0; k < n_slips(c, f) && along; k++)
+        along[k] = size2 > 0.0 ? mu[row_of(c, slip_row(c, f, k))] / sqrt(size2) : 0.0;
     return sqrt(size2);
 }
 
@@ -113,7 +125,8 @@ static double slip_of(const context *c, int32_t f, double *along)
 HM_SELDOM static double slip_at_state(const context *c, int32_t f, double *along)
 {
     const double slip = slip_of(c, f, along);
-    for (int k = 0; k < n_slips(c, f) && is_smooth(c, f); k++) along[k] *= slip / hm_hypot(slip, c->number[c->m->smooth_speed_at + f]);
+    for (int k = 0; k < n_slips(c, f) && is_smooth(c, f); k++)
+        along[k] *= slip / hm_hypot(slip, c->number[c->m->smooth_speed_at + f]);
     return slip;
 }
 
@@ -128,7 +141,8 @@ HM_SELDOM static void evaluate_state(context *c)
     c->kept_factors.h = 0.0; /* factors of a step do not outlast what follows */
 }
 
-/* Blames the closed contact that is pressed most, by the means of the last half step; none if all are open. */
+/* Blames the closed contact that is pressed most, by the means of the last half step; none if all
+   are open. */
 HM_SELDOM static void blame_hardest(context *c)
 {
     double most = -INFINITY;
@@ -140,50 +154,57 @@ HM_SELDOM static void blame_hardest(context *c)
     }
 }
 
-/* ------------------------------------------------------------------------------------------ modes */
+/* ---------------------------------------------------------------------------------------- modes */
 
-HM_SELDOM static void let_stick(context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
+HM_SELDOM static void let_stick(context *c, int32_t f)
+{ friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
 
-/* Friction f slides along that direction, from now on: what a step before left for its slip is none. */
+/* Friction f slides along that direction, from now on: what a step before left for its slip is
+   none. */
 HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
 {
-    for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) != FRICTION_SLIDES; k++) c->k.slip[row_of(c, slip_row(c, f, k))] = NAN;
+    for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) != FRICTION_SLIDES; k++)
+        c->k.slip[row_of(c, slip_row(c, f, k))] = NAN;
     friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
     c->sliding = 1;
     for (int k = 0; k < n_slips(c, f); k++) friction_of(c, f)[F_ALONG_1 + k] = along[k];
 }
 
-/* First guess of a friction's mode: with slip it slides; without slip one that was about to slide still is, and others
-   stick. Without coefficient and preload it is off, since it would be at its cone always. A smooth one slides. That of a
-   contact is off while it is deferred.                                                                           */
+/* First guess of a friction's mode: with slip it slides; without slip one that was about to slide
+   still is, and others stick. Without coefficient and preload it is off, since it would be at its
+   cone always. A smooth one slides. That of a contact is off while it is deferred. */
 HM_SELDOM static void guess_friction(context *c, int32_t f)
 {
     double along[3];
     if (!(cone(c, f, 0, 1.0) > 0.0) || is_deferred(c, f)) friction_of(c, f)[F_MODE] = FRICTION_OFF;
-    else if (slip_at_state(c, f, along) > speed_tolerance(c) || is_smooth(c, f)) let_slide(c, f, along);
+    else if (slip_at_state(c, f, along) > speed_tolerance(c) || is_smooth(c, f))
+        let_slide(c, f, along);
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }
 
 /* Value at time t on the line through the means of the last steps. */
-static void extrapolate(const context *c, double t, int32_t n, const double *mean, const double *before, double *y)
+static void extrapolate(const context *c, double t, int32_t n, const double *mean,
+                        const double *before, double *y)
 {
     const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
     double ahead = gap > 0.0 && gap < INFINITY ? (t - head[S_MEAN_TIME]) / gap : 0.0;
-    if (is_unilateral(c->m) && !(ahead <= FARTHEST)) ahead = 0.0; /* a short piece lies between the means */
+    if (is_unilateral(c->m) && !(ahead <= FARTHEST))
+        ahead = 0.0; /* a short piece lies between the means */
     for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
 }
 
 /* Whether what sticks shares forces otherwise than rows do. */
 static int has_shares(const context *c) { return c->s.head[S_SHARES] != 0.0; }
 
-/* Adds to multipliers mu of half steps what is shared otherwise than rows do, see contact_split.h. */
+/* Adds to multipliers mu of half steps what is shared otherwise than rows do, see
+   contact_split.h. */
 static void add_shares(const context *c, double *mu)
 {
     for (int32_t i = 0; i < c->m->n_rows && has_shares(c); i++) mu[i] += c->s.shift[i];
 }
 
-/* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at hand; signal_rate is that
-   of the state. */
+/* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at
+   hand; signal_rate is that of the state. */
 HM_SELDOM static int32_t evaluate_forces(context *c)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++)
@@ -273,8 +294,9 @@ HM_SELDOM static int slide_worst(context *c, double none)
     return 1;
 }
 
-/* Of frictions that stick though their slip grows, the one whose slip does so fastest; -1: there is none. No force of its own stops it: the
-   mechanism is at a dead centre, where forces do not change the slip, or others contradict it. `along`, if wanted: the way in which it grows. */
+/* Of frictions that stick though their slip grows, the one whose slip does so fastest; -1: there is
+   none. No force of its own stops it: the mechanism is at a dead centre, where forces do not change
+   the slip, or others contradict it. `along`, if wanted: the way in which it grows. */
 HM_SELDOM static int32_t torn_loose(const context *c, double *along)
 {
     int32_t fastest = -1;
@@ -284,8 +306,11 @@ HM_SELDOM static int32_t torn_loose(const context *c, double *along)
         if (friction_mode(c, f) != FRICTION_STICKS) continue;
         slip_changes(c, f, growth);
         for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(growth[k]);
-        const double size = sqrt(size2), sigma = c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))];
-        if (!(size > fmax(most, GIVEN_BY_FORCE * sigma * friction_force(c, f, c->k.event_mu, NULL)))) continue;
+        const double size = sqrt(size2),
+                     sigma = c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))];
+        if (!(size
+              > fmax(most, GIVEN_BY_FORCE * sigma * friction_force(c, f, c->k.event_mu, NULL))))
+            continue;
         most = size, fastest = f;
         for (int k = 0; k < n_slips(c, f) && along; k++) along[k] = growth[k] / size;
     }
@@ -317,8 +342,9 @@ HM_SELDOM static int turn_back(context *c)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double *x = friction_of(c, f);
-        if (x[F_MODE] != FRICTION_SLIDES || is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c) ||
-            !(slip_growth(c, f) < -growth_tolerance(c)))
+        if (x[F_MODE] != FRICTION_SLIDES || is_smooth(c, f)
+            || slip_of(c, f, NULL) > speed_tolerance(c)
+            || !(slip_growth(c, f) < -growth_tolerance(c)))
             continue;
         x[F_MODE] = FRICTION_STICKS;
         blame(c, slip_row(c, f, 0));
@@ -327,14 +353,16 @@ HM_SELDOM static int turn_back(context *c)
     return 0;
 }
 
-/* Lets frictions stick that were let slide but have no slip and do not begin one, as others that began to slide with them gave way
-   for them; 0 if there are none. */
+/* Lets frictions stick that were let slide but have no slip and do not begin one, as others that
+   began to slide with them gave way for them; 0 if there are none. */
 HM_SELDOM static int hold_still(context *c)
 {
     int held = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double growth[3], growth2 = 0.0;
-        if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c)) continue;
+        if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)
+            || slip_of(c, f, NULL) > speed_tolerance(c))
+            continue;
         slip_changes(c, f, growth);
         for (int k = 0; k < n_slips(c, f); k++) growth2 += hm_square(growth[k]);
         if (growth2 > hm_square(growth_tolerance(c))) continue;
@@ -345,36 +373,44 @@ HM_SELDOM static int hold_still(context *c)
 }
 
 #define TURNING_STIFFNESS 0.6 /* over the sum of those of the rows */
-/* Of a friction that turns, in k.turning: how it is to turn, how it was to before, and where that was; and whether it turns. */
+/* Of a friction that turns, in k.turning: how it is to turn, how it was to before, and where that
+   was; and whether it turns. */
 enum { TURNS_NOW = 0, TURNED_LAST = 3, WAS_ALONG = 6, IS_TURNING = 9, TURNING_SIZE };
 
 /* Whether friction f has several slips, slides, and its slip is about to begin. */
 static int begins_in_space(context *c, int32_t f)
 {
-    return n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && slip_of(c, f, NULL) <= speed_tolerance(c);
+    return n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES
+           && slip_of(c, f, NULL) <= speed_tolerance(c);
 }
 
-/* How the direction of the beginning slip of friction f is to turn (turn, overwritten): towards the way in which it grows. With a
-   stiffness of more than half of that of the rows, a step to the friction that stops the slip and back to the cone converges. */
+/* How the direction of the beginning slip of friction f is to turn (turn, overwritten): towards the
+   way in which it grows. With a stiffness of more than half of that of the rows, a step to the
+   friction that stops the slip and back to the cone converges. */
 HM_SELDOM static void turn_towards_growth(context *c, int32_t f, double *turn)
 {
     const int n = n_slips(c, f);
-    const double *along = friction_of(c, f) + F_ALONG_1, force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
+    const double *along = friction_of(c, f) + F_ALONG_1,
+                 force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
     double pull[3], growth[3], stiffness = 0.0;
-    for (int k = 0; k < n; k++) stiffness += TURNING_STIFFNESS * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
+    for (int k = 0; k < n; k++)
+        stiffness +=
+            TURNING_STIFFNESS * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
     slip_changes(c, f, growth);
     for (int k = 0; k < n; k++) pull[k] = force * along[k] + growth[k] / stiffness;
     const double size = direction_of(n, pull, pull);
     for (int k = 0; k < n; k++) turn[k] = size > 0.0 ? pull[k] - along[k] : 0.0;
 }
 
-/* Turns slips of several rates that are about to begin; 0 if they begin as they grow. Turns contract by a constant: from the second
-   in turn on (`again`) the secant of the last two leads on (Anderson 1965), as long as they become smaller. */
+/* Turns slips of several rates that are about to begin; 0 if they begin as they grow. Turns
+   contract by a constant: from the second in turn on (`again`) the secant of the last two leads on
+   (Anderson 1965), as long as they become smaller. */
 HM_SELDOM static int turn_beginning_slips(context *c, int again)
 {
     double most = 0.0, size2 = 0.0, last2 = 0.0, change2 = 0.0, along_change = 0.0;
     EACH_FRICTION(c, f) {
-        double *own = c->k.turning + TURNING_SIZE * f, *now = own + TURNS_NOW, *last = own + TURNED_LAST;
+        double *own = c->k.turning + TURNING_SIZE * f, *now = own + TURNS_NOW,
+               *last = own + TURNED_LAST;
         own[IS_TURNING] = begins_in_space(c, f);
         if (own[IS_TURNING] == 0.0) continue;
         for (int k = 0; k < n_slips(c, f); k++) last[k] = now[k];
@@ -389,11 +425,13 @@ HM_SELDOM static int turn_beginning_slips(context *c, int again)
     }
     const double part = again && size2 < last2 && change2 > 0.0 ? along_change / change2 : 0.0;
     EACH_FRICTION(c, f) {
-        double *own = c->k.turning + TURNING_SIZE * f, *before = own + WAS_ALONG, *along = friction_of(c, f) + F_ALONG_1, turned[3];
+        double *own = c->k.turning + TURNING_SIZE * f, *before = own + WAS_ALONG,
+               *along = friction_of(c, f) + F_ALONG_1, turned[3];
         if (own[IS_TURNING] == 0.0) continue;
         for (int k = 0; k < n_slips(c, f); k++) {
             const double now = own[TURNS_NOW + k], change = now - own[TURNED_LAST + k];
-            turned[k] = along[k] + now - (part != 0.0 ? part * (along[k] - before[k] + change) : 0.0);
+            turned[k] =
+                along[k] + now - (part != 0.0 ? part * (along[k] - before[k] + change) : 0.0);
             before[k] = along[k];
         }
         direction_of(n_slips(c, f), turned, along);
@@ -415,7 +453,9 @@ HM_SELDOM static int close_worst(context *c)
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         if (is_closed(c, i) || !is_at_rest(c, i)) continue;
         const double growth = second_rate_of_row(c, c->m->contact_row[i]);
-        if (contact_of(c, i)[C_PARTED] != 0.0 && growth > -growth_tolerance(c) * PARTING / NO_GROWTH) continue;
+        if (contact_of(c, i)[C_PARTED] != 0.0
+            && growth > -growth_tolerance(c) * PARTING / NO_GROWTH)
+            continue;
         if (growth < least) least = growth, worst = i;
     }
     if (worst < 0) return 0;
@@ -432,16 +472,19 @@ HM_SELDOM static double largest_normal(const context *c, const double *mu)
     return largest;
 }
 
-/* Force that counts as zero: relative to the largest one or to the reference energy over the size of the mechanism, the
-   larger of both, so that a contact which carries nothing does not open and close by round-off.                  */
+/* Force that counts as zero: relative to the largest one or to the reference energy over the size
+   of the mechanism, the larger of both, so that a contact which carries nothing does not open and
+   close by round-off. */
 HM_SELDOM static double force_tolerance(const context *c)
 {
     const double extent = c->number[c->m->extent_at];
-    return NO_FORCE * fmax(largest_normal(c, c->k.event_mu), c->s.head[S_ENERGY_REFERENCE] / fmax(extent, 1.0));
+    return NO_FORCE
+           * fmax(largest_normal(c, c->k.event_mu),
+                  c->s.head[S_ENERGY_REFERENCE] / fmax(extent, 1.0));
 }
 
-/* First guess of the modes at the present state: contacts that touch without approaching are closed, unless `parted` says
-   that the last event opened them.                                                                               */
+/* First guess of the modes at the present state: contacts that touch without approaching are
+   closed, unless `parted` says that the last event opened them. */
 HM_SELDOM static void guess_modes(context *c)
 {
     const holonom_model *m = c->m;

@@ -1,36 +1,44 @@
-/* Contacts that are far sleep: a step does not look at them until what moves has travelled so far that they might touch.
+/* Contacts that are far sleep: a step does not look at them until what moves has travelled so far
+   that they might touch.
 
-   The travel counts, over all steps, the way of the place that moved most; that of a director counts times the size of the
-   mechanism. With coefficients alpha of a link u = sum alpha x, |u| changes in a travel s by no more than L_u s,
-   L_u = sum |alpha| over the weight of the node; and a gap that is linear in lengths |u| and forms u . w by no more than
+   The travel counts, over all steps, the way of the place that moved most; that of a director
+   counts times the size of the mechanism. With coefficients alpha of a link u = sum alpha x, |u|
+   changes in a travel s by no more than L_u s, L_u = sum |alpha| over the weight of the node; and a
+   gap that is linear in lengths |u| and forms u . w by no more than
 
        a s + b s^2,     a = sum |c| L_u,  or  sum |c| (|u| L_w + |w| L_u),     b = sum |c| L_u L_w.
 
-   An open contact sleeps until the travel at which that is its gap. Its rows, frictions, forms and quantities are in no list
-   then. Others stay awake: gaps that angles, signals or curves tell.                                             */
+   An open contact sleeps until the travel at which that is its gap. Its rows, frictions, forms and
+   quantities are in no list then. Others stay awake: gaps that angles, signals or curves tell. */
 #ifndef HOLONOM_FAR_CONTACTS_H
 #define HOLONOM_FAR_CONTACTS_H
 
 #include "contact.h"
 
-#define NEVER_SLEEPS -1e300 /* a state is finite                                                                 */
-/* Travels of a piece: with which contacts are looked at; with which one is then, so that it is not the next one; and that let it
-   sleep. What moves may become twice as fast in a piece. */
+#define NEVER_SLEEPS -1e300 /* a state is finite */
+/* Travels of a piece: with which contacts are looked at; with which one is then, so that it is not
+   the next one; and that let it sleep. What moves may become twice as fast in a piece. */
 #define WAKES 2.0
 #define WAKES_AS_WELL 4.0
 #define FALLS_ASLEEP 8.0
 #define TRAVEL_ROUND_OFF 1e-15
 
-enum { WORTH_SLEEP = 8 }; /* contacts: to look at fewer costs less than to follow the travel (one bouncing ball: 10 % of a step) */
+enum {
+    WORTH_SLEEP = 8
+}; /* contacts: to look at fewer costs less than to follow the travel (one bouncing ball: 10 % of a
+      step) */
 
-static inline int is_asleep(const context *c, int32_t i) { return contact_of(c, i)[C_ASLEEP_UNTIL] > 0.0; }
+static inline int is_asleep(const context *c, int32_t i)
+{ return contact_of(c, i)[C_ASLEEP_UNTIL] > 0.0; }
 
 static inline int some_sleep(const context *c) { return c->s.head[S_NEXT_AWAKE] > 0.0; }
 
 /* Travel that is left until the first contact might touch. */
-static inline double travel_left(const context *c) { return c->s.head[S_NEXT_AWAKE] - c->s.head[S_TRAVEL]; }
+static inline double travel_left(const context *c)
+{ return c->s.head[S_NEXT_AWAKE] - c->s.head[S_TRAVEL]; }
 
-/* Whether a piece of this travel may bring a contact near that sleeps, or contacts may fall asleep. */
+/* Whether a piece of this travel may bring a contact near that sleeps, or contacts may fall
+   asleep. */
 static inline int asks_for_far(const context *c, double reach)
 {
     return c->may_fall_asleep || (c->near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach));
@@ -48,7 +56,8 @@ static void wake_all(context *c)
 static void follow_travel(context *c, const double *start)
 {
     double *head = c->s.head, most2 = 0.0;
-    const double *q = c->s.q, *q0 = start + (q - head), extent2 = hm_square(c->number[c->m->extent_at]);
+    const double *q = c->s.q, *q0 = start + (q - head),
+                 extent2 = hm_square(c->number[c->m->extent_at]);
     if (!some_sleep(c)) return;
     for (int32_t a = 0; a < c->n_moving; a++, q += DIM, q0 += DIM) {
         double way[DIM];
@@ -70,23 +79,28 @@ static void stretch_of(const context *c, int32_t f, double *u, double *w)
     *u = *w = 0.0;
     for (int32_t e = begin; e < end; e++) {
         const double weight = m->node_kind[m->form_node[e]] ? extent : 1.0;
-        *u += fabs(c->number[m->alpha_at + e]) / weight, *w += fabs(c->number[m->beta_at + e]) / weight;
+        *u += fabs(c->number[m->alpha_at + e]) / weight,
+            *w += fabs(c->number[m->beta_at + e]) / weight;
         if (!(m->form_kind[f] & FORM_TURNED)) continue;
-        *u += fabs(c->number[m->alpha_turn_at + e]) / weight, *w += fabs(c->number[m->beta_turn_at + e]) / weight;
+        *u += fabs(c->number[m->alpha_turn_at + e]) / weight,
+            *w += fabs(c->number[m->beta_turn_at + e]) / weight;
     }
     if (m->form_kind[f] & FORM_SQUARE) *w = *u;
 }
 
-/* Travel within which contact i stays open, and its gap at the state; 0 if it touches, -1 if nothing tells. */
+/* Travel within which contact i stays open, and its gap at the state; 0 if it touches, -1 if
+   nothing tells. */
 static double safe_travel(const context *c, int32_t i, double *gap)
 {
     const holonom_model *m = c->m;
-    const int32_t j = m->contact_row[i], n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
+    const int32_t j = m->contact_row[i], n = m->leaf_ptr[j + 1] - m->leaf_ptr[j],
+                  *entry = m->leaf + 4 * m->leaf_ptr[j];
     double linear = 0.0, square = 0.0, u[DIM], w[DIM], along_u, along_w;
     const hm_registers *r = &c->k.r;
     if (!is_linear(c, j)) return -1.0;
     for (int32_t l = 0; l < n; l++) {
-        if (entry[4 * l] != LEAF_VALUE || m->quantity_kind[entry[4 * l + 1]] == QUANTITY_ANGLE) return -1.0;
+        if (entry[4 * l] != LEAF_VALUE || m->quantity_kind[entry[4 * l + 1]] == QUANTITY_ANGLE)
+            return -1.0;
         r->r0[l] = r->r1[l] = quantity_at(c, entry[4 * l + 1], c->s.q, c->s.q_low, NULL, NULL);
         r->dr[l] = 0.0;
     }
@@ -115,9 +129,11 @@ static double safe_travel(const context *c, int32_t i, double *gap)
 static int is_forgotten(const context *c, int32_t j)
 {
     const int32_t i = row_of(c, j);
-    int is = c->s.mu[0][i] == 0.0 && c->s.mu[1][i] == 0.0 && c->s.mu_before[0][i] == 0.0 && c->s.mu_before[1][i] == 0.0 &&
-             c->s.mean[i] == 0.0 && c->s.mean_before[i] == 0.0 && c->s.shift[i] == 0.0;
-    for (int64_t k = 0; k < c->m->n_slots && is; k++) is = c->s.mu_missed[c->m->n_rows * k + i] == 0.0;
+    int is = c->s.mu[0][i] == 0.0 && c->s.mu[1][i] == 0.0 && c->s.mu_before[0][i] == 0.0
+             && c->s.mu_before[1][i] == 0.0 && c->s.mean[i] == 0.0 && c->s.mean_before[i] == 0.0
+             && c->s.shift[i] == 0.0;
+    for (int64_t k = 0; k < c->m->n_slots && is; k++)
+        is = c->s.mu_missed[c->m->n_rows * k + i] == 0.0;
     return is;
 }
 
@@ -130,7 +146,7 @@ static int is_free_of_force(const context *c, int32_t i)
     return 1;
 }
 
-/* ------------------------------------------------------------------------------------------------ lists */
+/* ---------------------------------------------------------------------------------------- lists */
 
 /* Leaves no forces and residuals of contact i: the step does not write them while it sleeps. */
 static void clear_rows(const context *c, int32_t i)
@@ -142,7 +158,8 @@ static void clear_rows(const context *c, int32_t i)
     }
 }
 
-/* Turns marks of begin .. end - 1, 0 of what is far, into the first index from each on that is near. */
+/* Turns marks of begin .. end - 1, 0 of what is far, into the first index from each on that is
+   near. */
 static void link_list(int32_t *next, int32_t begin, int32_t end)
 {
     next[end] = end;
@@ -153,7 +170,8 @@ static void link_list(int32_t *next, int32_t begin, int32_t end)
 static void mark_parts(const context *c, int32_t j, int32_t *form, int32_t *active)
 {
     const holonom_model *m = c->m;
-    for (int32_t l = m->composite_form_ptr[j]; l < m->composite_form_ptr[j + 1]; l++) form[m->composite_form[l]] = 1;
+    for (int32_t l = m->composite_form_ptr[j]; l < m->composite_form_ptr[j + 1]; l++)
+        form[m->composite_form[l]] = 1;
     for (int32_t l = m->leaf_ptr[j]; l < m->leaf_ptr[j + 1]; l++)
         if (m->leaf[4 * l] != LEAF_SIGNAL) active[m->leaf[4 * l + 1]] = 1;
 }
@@ -169,7 +187,8 @@ static int32_t add_slice(const context *c, near_slice *own, int32_t used)
     composites = add_piece(composite, 0, c->begin[ISLAND_ELEMENT], c->end[ISLAND_ELEMENT]);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         EACH_ROW_OF_KIND(c, j, k) composites = add_piece(composite, composites, j, j + 1);
-    composites = add_piece(composite, composites, c->begin[ISLAND_POTENTIAL], c->end[ISLAND_POTENTIAL]);
+    composites =
+        add_piece(composite, composites, c->begin[ISLAND_POTENTIAL], c->end[ISLAND_POTENTIAL]);
     *own = (near_slice){used, rows, used + rows, composites};
     return used + rows + composites;
 }
@@ -179,12 +198,14 @@ typedef struct near_lists {
     int32_t *contact, *friction, *row, *linked, *active;
 } near_lists;
 
-/* Lists where all sleep, and nothing else has function rows and frictions: from where islands begin on there is none. */
+/* Lists where all sleep, and nothing else has function rows and frictions: from where islands begin
+   on there is none. */
 static void list_nothing(const context *c, near_lists x)
 {
     const holonom_model *m = c->m;
     x.contact[0] = m->n_contacts, x.friction[0] = m->n_frictions;
-    for (const int32_t *begin = m->island_begin; begin <= m->island_begin + ISLAND_COLUMNS * m->n_islands; begin += ISLAND_COLUMNS) {
+    for (const int32_t *begin = m->island_begin;
+         begin <= m->island_begin + ISLAND_COLUMNS * m->n_islands; begin += ISLAND_COLUMNS) {
         x.row[begin[ISLAND_FUNCTION]] = x.row[begin[ISLAND_VELOCITY]] = first_potential(c);
         x.linked[begin[ISLAND_TOUCHING_LINKED]] = m->n_linked;
         x.active[begin[ISLAND_TOUCHING_ACTIVE]] = m->n_active;
@@ -209,7 +230,8 @@ static void list_awake(const context *c, near_lists x)
 {
     const holonom_model *m = c->m;
     const int32_t first = first_function(c), end = first_potential(c);
-    int32_t *contact = x.contact, *friction = x.friction, *row = x.row, *linked = x.linked, *active = x.active;
+    int32_t *contact = x.contact, *friction = x.friction, *row = x.row, *linked = x.linked,
+            *active = x.active;
     int32_t *form = (int32_t *)(void *)c->k.near_form;
     for (int32_t f = 0; f < m->n_frictions; f++) friction[f] = 1;
     for (int32_t i = 0; i < m->n_contacts; i++) {
@@ -220,10 +242,12 @@ static void list_awake(const context *c, near_lists x)
     memset(active, 0, sizeof(int32_t) * (size_t)m->n_active);
     for (int32_t j = first; j < end; j++) {
         const int32_t owner = owner_of(c, j);
-        row[j] = owner < 0 || (owner < m->n_contacts ? contact[owner] : friction[owner - m->n_contacts]);
+        row[j] =
+            owner < 0 || (owner < m->n_contacts ? contact[owner] : friction[owner - m->n_contacts]);
         if (row[j]) mark_parts(c, j, form, active);
     }
-    for (int32_t i = m->n_bilateral_linked; i < m->n_linked; i++) linked[i] = form[m->linked_form[i]];
+    for (int32_t i = m->n_bilateral_linked; i < m->n_linked; i++)
+        linked[i] = form[m->linked_form[i]];
     link_list(contact, 0, m->n_contacts);
     link_list(friction, 0, m->n_frictions);
     link_list(row, first, end);
@@ -242,12 +266,15 @@ static void leave_far_out(context *c)
     x.row = x.friction + m->n_frictions + 1;
     x.linked = x.row + first_potential(c) + 1;
     x.active = x.linked + m->n_linked + 1;
-    double *const rows[] = {c->k.mu, c->k.lambda, c->k.phi}; /* a piece begins, which writes those at hand */
+    double *const rows[] = {c->k.mu, c->k.lambda,
+                            c->k.phi}; /* a piece begins, which writes those at hand */
     for (int k = 0; k < 3 && !c->near[NEAR_CONTACTS]; k++)
-        memset(rows[k] + row_of(c, first_function(c)), 0, sizeof(double) * (size_t)(m->n_function_rows + m->n_velocity_rows));
+        memset(rows[k] + row_of(c, first_function(c)), 0,
+               sizeof(double) * (size_t)(m->n_function_rows + m->n_velocity_rows));
     if (all_is_far(c)) list_nothing(c, x);
     else list_awake(c, x);
-    c->near[NEAR_CONTACTS] = x.contact, c->near[NEAR_FRICTIONS] = x.friction, c->near[NEAR_ROWS] = x.row;
+    c->near[NEAR_CONTACTS] = x.contact, c->near[NEAR_FRICTIONS] = x.friction,
+    c->near[NEAR_ROWS] = x.row;
     c->near[NEAR_LINKED] = x.linked, c->near[NEAR_ACTIVE] = x.active;
     const int reduced = c->reduced;
     int32_t used = 0;
@@ -262,23 +289,29 @@ static void leave_far_out(context *c)
 }
 
 /* Whether contact i, open and awake, has a gap that may let it sleep. */
-static inline int is_far_enough(const context *c, int32_t i, double gap) { return gap > -contact_of(c, i)[C_ASLEEP_UNTIL]; }
+static inline int is_far_enough(const context *c, int32_t i, double gap)
+{ return gap > -contact_of(c, i)[C_ASLEEP_UNTIL]; }
 
-/* Lets contacts sleep that are farther than a piece of this travel reaches, and wakes those that it may bring near, whose gaps are
-   written into `value`, if given, with `rate` for not known. */
+/* Lets contacts sleep that are farther than a piece of this travel reaches, and wakes those that it
+   may bring near, whose gaps are written into `value`, if given, with `rate` for not known. */
 static void look_far(context *c, double travel, double *value, double *rate)
 {
     double *head = c->s.head, next = INFINITY;
     int changes = 0;
     c->may_fall_asleep = 0;
-    if (!hm_skips(SKIP_FAR_CONTACTS) || c->tolerance > 0.0 || n_contacts(c->m) < WORTH_SLEEP) return;
+    if (!hm_skips(SKIP_FAR_CONTACTS) || c->tolerance > 0.0 || n_contacts(c->m) < WORTH_SLEEP)
+        return;
     for (int32_t i = 0; i < n_contacts(c->m); i++) {
         double *until = contact_of(c, i) + C_ASLEEP_UNTIL;
         const int slept = is_asleep(c, i);
         double gap = 0.0;
         if (!(*until > head[S_TRAVEL] + WAKES_AS_WELL * travel) && *until > NEVER_SLEEPS) {
-            const double safe = is_free_of_force(c, i) ? safe_travel(c, i, &gap) : 0.0, needed = FALLS_ASLEEP * travel;
-            *until = safe < 0.0 ? NEVER_SLEEPS : safe > needed ? head[S_TRAVEL] + safe : safe > 0.0 ? -gap * needed / safe : 0.0;
+            const double safe = is_free_of_force(c, i) ? safe_travel(c, i, &gap) : 0.0,
+                         needed = FALLS_ASLEEP * travel;
+            *until = safe < 0.0      ? NEVER_SLEEPS
+                     : safe > needed ? head[S_TRAVEL] + safe
+                     : safe > 0.0    ? -gap * needed / safe
+                                     : 0.0;
         }
         if (!slept && is_asleep(c, i)) clear_rows(c, i);
         if (is_asleep(c, i)) next = *until < next ? *until : next;

@@ -1,33 +1,39 @@
-/* Contacts and frictions in a half step of stepped mode: gaps, rates and slips at its start, and which close or stop first.
+/* Contacts and frictions in a half step of stepped mode: gaps, rates and slips at its start, and
+   which close or stop first.
 
-   A slip s_0 that the step would reverse stops in it, after the way s_0^2/2a that it takes with the deceleration a of that
-   step.                                                                                                          */
+   A slip s_0 that the step would reverse stops in it, after the way s_0^2/2a that it takes with the
+   deceleration a of that step. */
 #ifndef HOLONOM_HALF_STEP_CONTACTS_H
 #define HOLONOM_HALF_STEP_CONTACTS_H
 
 #include "event.h"
 
-#define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that counts as zero                   */
+#define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that counts as zero */
 
 /* What stepped mode knows of each contact in a half step. */
 typedef struct touch {
-    double gap, rate; /* at its start; the rate where it is near, else 0                                         */
+    double gap, rate; /* at its start; the rate where it is near, else 0 */
     double was_closed, is_near;
-    double normal; /* its force by the last choice that was solved, or guessed                                    */
-    double lands, taken; /* after the first stage: how it takes part in the second (velocity_stage.h); energy that its normal force took */
+    double normal; /* its force by the last choice that was solved, or guessed */
+    double lands, taken; /* after the first stage: how it takes part in the second
+                            (velocity_stage.h); energy that its normal force took */
 } touch;
 
-static inline touch *touch_of(const context *c, int32_t i) { return (touch *)(void *)c->k.touch + i; }
+static inline touch *touch_of(const context *c, int32_t i)
+{ return (touch *)(void *)c->k.touch + i; }
 
-static inline int is_landing(const context *c, int32_t i) { return is_closed(c, i) && touch_of(c, i)->was_closed == 0.0; }
+static inline int is_landing(const context *c, int32_t i)
+{ return is_closed(c, i) && touch_of(c, i)->was_closed == 0.0; }
 
-static double normal_in_step(const context *c, int32_t i) { return -c->k.mu[row_of(c, c->m->contact_row[i])]; }
+static double normal_in_step(const context *c, int32_t i)
+{ return -c->k.mu[row_of(c, c->m->contact_row[i])]; }
 
 /* Sum of the slips of friction f (by row) along its direction. */
 static double along_direction(const context *c, int32_t f, const double *slip)
 {
     double sum = 0.0;
-    for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * slip[row_of(c, slip_row(c, f, k))];
+    for (int k = 0; k < n_slips(c, f); k++)
+        sum += friction_of(c, f)[F_ALONG_1 + k] * slip[row_of(c, slip_row(c, f, k))];
     return sum;
 }
 
@@ -45,7 +51,8 @@ static void forget_stop(const context *c, int32_t f)
     for (int k = 0; k < n_slips(c, f); k++) c->k.stop[row_of(c, slip_row(c, f, k))] = 0.0;
 }
 
-/* Friction f stops after that share of a half step, along a way that its slip takes there on the mean. */
+/* Friction f stops after that share of a half step, along a way that its slip takes there on the
+   mean. */
 static void let_stop(const context *c, int32_t f, double share)
 {
     c->k.share[f] = share;
@@ -55,8 +62,8 @@ static void let_stop(const context *c, int32_t f, double share)
     }
 }
 
-/* Where slips of one body stop, their ways must not contradict each other: all stop after the same share, the least one or,
-   if that does not help, at once. Returns whether there is any.                                                 */
+/* Where slips of one body stop, their ways must not contradict each other: all stop after the same
+   share, the least one or, if that does not help, at once. Returns whether there is any. */
 static int stop_together(const context *c, int at_once)
 {
     double least = INFINITY;
@@ -69,7 +76,8 @@ static int stop_together(const context *c, int at_once)
 
 /* Ways that what moves may have in a half step, by velocities and by accelerations. */
 static double way_at_speed(const context *c, double h) { return 4.0 * h * fastest_node(c); }
-static double way_of_fall(const context *c, double h) { return 3.0 * h * h * largest_acceleration(c); }
+static double way_of_fall(const context *c, double h)
+{ return 3.0 * h * h * largest_acceleration(c); }
 
 /* Lets contacts sleep that are far in a half step of length h. */
 static void look_far_in_step(context *c, double h)
@@ -78,8 +86,8 @@ static void look_far_in_step(context *c, double h)
     if (asks_for_far(c, reach)) look_far(c, reach, NULL, NULL);
 }
 
-/* Gaps and slips at the start of a half step of length h, and a first choice: what was closed stays so, what is reached
-   at the present rate closes. */
+/* Gaps and slips at the start of a half step of length h, and a first choice: what was closed stays
+   so, what is reached at the present rate closes. */
 static void begin_choice(context *c, double h)
 {
     const holonom_model *m = c->m;
@@ -104,7 +112,8 @@ static void begin_choice(context *c, double h)
         forget_stop(c, f);
         for (int k = 0; k < n_slips(c, f); k++)
             c->k.slip_before[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
-        if (mode == FRICTION_SLIDES || !is_of_contact(c, f) || is_deferred(c, f)) guess_friction(c, f);
+        if (mode == FRICTION_SLIDES || !is_of_contact(c, f) || is_deferred(c, f))
+            guess_friction(c, f);
         for (int k = 0; k < n_slips(c, f); k++) {
             const int32_t row = row_of(c, slip_row(c, f, k));
             c->k.slip[row] = c->k.slip_before[row];
@@ -112,7 +121,9 @@ static void begin_choice(context *c, double h)
     }
     EACH_CONTACT(c, i) {
         const touch *x = touch_of(c, i);
-        double *reference = contact_of(c, i) + C_REFERENCE; /* a negative one: round-off of the drawing, which no step pushes out */
+        double *reference =
+            contact_of(c, i)
+            + C_REFERENCE; /* a negative one: round-off of the drawing, which no step pushes out */
         if (x->was_closed != 0.0) *reference = fmin(*reference, 0.0);
         else if (x->is_near != 0.0 && x->gap + h * x->rate < -none) close_contact_at(c, i, 0.0);
     }

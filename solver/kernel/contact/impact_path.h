@@ -1,19 +1,23 @@
-/* The path of an impact at a fixed configuration, and its rates at a place of it. With rates gamma = gamma- + W p, contacts i that approach with v_i
-   are held from below by walls that move with a clock tau = -1 ..:
+/* The path of an impact at a fixed configuration, and its rates at a place of it. With rates gamma
+   = gamma- + W p, contacts i that approach with v_i are held from below by walls that move with a
+   clock tau = -1 ..:
 
        0 <= p'_N _|_ gamma_N - c_i >= 0,   c_i = tau v_i as long as contact i is live, then 0,
        |p'_T| <= mu p'_N,   p'_T = -mu p'_N gamma_T/|gamma_T| where there is slip.
 
-   Contact i has compressed with C_i = -int p'_N gamma_N over gamma_N < 0, expands with X_i, and is live until X_i = e_i^2 C_i
-   (energetic restitution, Stronge 1990; walls after Moreau 1988; increments of friction after Routh 1905). For frictionless
-   contacts with one e it is Newton's law; p is in Coulomb's cone, energy never grows, and the loss is
-   sum (C_i - X_i) + D with the work D >= 0 of friction.
+   Contact i has compressed with C_i = -int p'_N gamma_N over gamma_N < 0, expands with X_i, and is
+   live until X_i = e_i^2 C_i (energetic restitution, Stronge 1990; walls after Moreau 1988;
+   increments of friction after Routh 1905). For frictionless contacts with one e it is Newton's
+   law; p is in Coulomb's cone, energy never grows, and the loss is sum (C_i - X_i) + D with the
+   work D >= 0 of friction.
 
-   The path is straight between events, but where slip turns in space: there a pair of order 8 follows it.
+   The path is straight between events, but where slip turns in space: there a pair of order 8
+   follows it.
 
-   Jam: strong friction may leave no rates with which the walls go on (Painleve). Then all walls retreat until there are such
-   rates; if that does not help, slip of 1e-6 of the speed counts as none; then the least sets of contacts without which there
-   are rates end; at last all contacts stop at once, without restitution.                                         */
+   Jam: strong friction may leave no rates with which the walls go on (Painleve). Then all walls
+   retreat until there are such rates; if that does not help, slip of 1e-6 of the speed counts as
+   none; then the least sets of contacts without which there are rates end; at last all contacts
+   stop at once, without restitution. */
 #ifndef HOLONOM_IMPACT_PATH_H
 #define HOLONOM_IMPACT_PATH_H
 
@@ -22,69 +26,81 @@
 /* Ways out of a jam, as bits. */
 enum { JAM_RETREATED = 1, JAM_SLOW_STOPPED = 2, JAM_ENDED = 4, JAM_PLASTIC = 8 };
 
-/* Rows are rates [m/s or rad/s], and impulses of the same contacts [N s or N m s]. A joint that rubs is a contact as well, whose
-   p_N is a sum of norms of impulses in its rows; its normal row has no rate. */
+/* Rows are rates [m/s or rad/s], and impulses of the same contacts [N s or N m s]. A joint that
+   rubs is a contact as well, whose p_N is a sum of norms of impulses in its rows; its normal row
+   has no rate. */
 typedef struct hm_impact {
     int32_t contacts, rows;
-    const int32_t *first, *tangents; /* per contact: its normal row; rows of slip that follow it: 0 to 3          */
-    const double *coefficient;       /* per contact, >= 0                                                         */
-    const double *restitution;       /* per contact, 0 .. 1                                                       */
-    double *W;                       /* rows x rows: G M^-1 G' reduced by the bilateral rows; may be singular. Normal rows
-                                        of joints, 0, are overwritten                                             */
-    const double *before;            /* rows: gamma-; of a normal row negative where bodies approach              */
-    int32_t forces;                  /* impulses in joints                                                        */
-    const double *force;             /* rows x forces: of unit impulses                                           */
-    const int32_t *force_begin, *force_end; /* per contact: those of a joint; else none                           */
-    const int32_t *force_continues;  /* per force: whether it belongs to the norm of the one before               */
-    double *impulse, *after;         /* rows, overwritten: p, gamma+                                              */
-    double *compression, *expansion; /* per contact, overwritten: C, X [J]                                        */
-    double friction, plastic;        /* overwritten: D; what the last way out of a jam takes [J]                  */
-    int32_t jam, several, pieces;    /* overwritten: ways out taken; whether rates were not unique; parts of the path */
-    int32_t newton;                  /* overwritten: whether Newton's restitution stood in, see hm_solve_impact   */
-    double *scratch;                 /* IMPACT_SCRATCH(rows) doubles                                              */
+    const int32_t *first,
+        *tangents; /* per contact: its normal row; rows of slip that follow it: 0 to 3 */
+    const double *coefficient;       /* per contact, >= 0 */
+    const double *restitution;       /* per contact, 0 .. 1 */
+    double *W; /* rows x rows: G M^-1 G' reduced by the bilateral rows; may be singular. Normal rows
+                  of joints, 0, are overwritten */
+    const double *before; /* rows: gamma-; of a normal row negative where bodies approach */
+    int32_t forces;                  /* impulses in joints */
+    const double *force;             /* rows x forces: of unit impulses */
+    const int32_t *force_begin, *force_end; /* per contact: those of a joint; else none */
+    /* Per force: whether it belongs to the norm of the one before. */
+    const int32_t *force_continues;
+    double *impulse, *after;         /* rows, overwritten: p, gamma+ */
+    double *compression, *expansion; /* per contact, overwritten: C, X [J] */
+    double friction, plastic;        /* overwritten: D; what the last way out of a jam takes [J] */
+    int32_t jam, several,
+        pieces; /* overwritten: ways out taken; whether rates were not unique; parts of the path */
+    int32_t newton; /* overwritten: whether Newton's restitution stood in, see hm_solve_impact */
+    double *scratch;                 /* IMPACT_SCRATCH(rows) doubles */
 } hm_impact;
 
-#define SWEEP_ROUND_OFF 1e-12  /* of the sum of a row's terms: what counts as none                                */
-#define SWEEP_ERROR 1e-13      /* likewise, the error of a part in which slip turns                               */
-#define SWEEP_STOPS 5e-12      /* likewise, slip that turns and counts as stopped                                 */
-#define SLOW_SLIP 1e-6         /* likewise, in a jam                                                              */
-#define BUDGET_SPENT 1e-14     /* of C                                                                            */
-#define CONE_LEFT 1e-8         /* of the cone, beyond which a contact that sticks beside slip that turns begins to slide;
-                                  more than FITS, so that it is not found to stick at once                        */
-#define BEGINS_SLOWLY 1e-3     /* growth of a slip, likewise: its direction then follows from its rate              */
-#define HAS_BEGUN 1e-6         /* likewise, slip whose direction counts                                           */
-#define LARGE_RATES 30.0       /* of impulses, over those that walls bring about alone                            */
-#define PAST_TURN 1e-6         /* rate of the clock in a step along impulses, by which a piece goes on beyond the place where walls turn
-                                  back: there no rates could be told from infinite ones                           */
-#define CONE_CLIPPED 1e-10     /* of the cone, by which friction of a turning slip may miss it                     */
-#define REST_OF_RATES 1e-3     /* of the rates before: round-off of them tells no more of rates that are less    */
-#define LAST_BIT 1e-8           /* of the way of the walls                                                          */
-#define NO_WORK 1e-18          /* of p'.W p', over that of the rates of walls: rates of 0                         */
+#define SWEEP_ROUND_OFF 1e-12  /* of the sum of a row's terms: what counts as none */
+#define SWEEP_ERROR 1e-13      /* likewise, the error of a part in which slip turns */
+#define SWEEP_STOPS 5e-12      /* likewise, slip that turns and counts as stopped */
+#define SLOW_SLIP 1e-6         /* likewise, in a jam */
+#define BUDGET_SPENT 1e-14     /* of C */
+#define CONE_LEFT                                                                                  \
+    1e-8 /* of the cone, beyond which a contact that sticks beside slip that turns begins to       \
+            slide; more than FITS, so that it is not found to stick at once */
+#define BEGINS_SLOWLY                                                                              \
+    1e-3 /* growth of a slip, likewise: its direction then follows from its rate */
+#define HAS_BEGUN 1e-6         /* likewise, slip whose direction counts */
+#define LARGE_RATES 30.0       /* of impulses, over those that walls bring about alone */
+#define PAST_TURN                                                                                  \
+    1e-6 /* rate of the clock in a step along impulses, by which a piece goes on beyond the place  \
+            where walls turn back: there no rates could be told from infinite ones */
+#define CONE_CLIPPED 1e-10     /* of the cone, by which friction of a turning slip may miss it */
+#define REST_OF_RATES                                                                              \
+    1e-3 /* of the rates before: round-off of them tells no more of rates that are less */
+#define LAST_BIT 1e-8           /* of the way of the walls */
+#define NO_WORK 1e-18          /* of p'.W p', over that of the rates of walls: rates of 0 */
 enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
 
-/* Who pushes in a turning piece, and whether it slides, sticks or begins to slide: fixed as long as the piece lasts. */
+/* Who pushes in a turning piece, and whether it slides, sticks or begins to slide: fixed as long as
+   the piece lasts. */
 enum { IDLE, PUSHES_SLIDING, PUSHES_STUCK, PUSHES_BEGINNING };
 
 /* Numbers of a sweep: rows each, those of contacts as many. */
 typedef struct impact_path {
     hm_impact *x;
-    contact_problem rates; /* of the active contacts                                                               */
-    double *matrix;        /* its W                                                                                */
-    double *b, *way, *p, *rate, *coefficient; /* likewise                                                          */
-    int32_t *first, *tangents, *slides, *active; /* likewise; active: the contact of each                          */
-    double *gamma, *size;  /* rates now; sum of the sizes of their terms so far                                    */
-    double *q, *turn;      /* p' and gamma' of the piece                                                           */
-    double *lead;          /* rows: direction of slip that begins                                                  */
-    double *speed, *retreat, *deep, *wall; /* per contact: v; rate of its wall in a jam; how far that is; its rate in the piece */
-    double *stage, *start; /* 12 stages of rows + contacts + 2; one more                                           */
-    double *kept;          /* rows                                                                                 */
-    int32_t *live, *on, *stuck, *waits; /* waits: has ended below its wall, which stands until there are rates with which it rises */
+    contact_problem rates; /* of the active contacts */
+    double *matrix;        /* its W */
+    double *b, *way, *p, *rate, *coefficient; /* likewise */
+    int32_t *first, *tangents, *slides, *active; /* likewise; active: the contact of each */
+    double *gamma, *size;  /* rates now; sum of the sizes of their terms so far */
+    double *q, *turn;      /* p' and gamma' of the piece */
+    double *lead;          /* rows: direction of slip that begins */
+    double *speed, *retreat, *deep, *wall; /* per contact: v; rate of its wall in a jam; how far
+                                              that is; its rate in the piece */
+    double *stage, *start; /* 12 stages of rows + contacts + 2; one more */
+    double *kept;          /* rows */
+    int32_t *live, *on, *stuck, *waits; /* waits: has ended below its wall, which stands until there
+                                           are rates with which it rises */
     double tau, way_sign;
-    double pace;   /* rate of the clock in a step                                                                  */
-    double energy; /* of the rates before, at each row alone; the largest                                          */
-    int by_law;  /* whether the piece asks for the law at every stage: a slip begins slowly beside slip that turns  */
-    int all_rise; /* whether walls that wait rise as well                                                          */
-    int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large                      */
+    double pace;   /* rate of the clock in a step */
+    double energy; /* of the rates before, at each row alone; the largest */
+    int by_law;    /* whether the piece asks for the law at every stage: a slip begins slowly beside
+                      slip that turns */
+    int all_rise; /* whether walls that wait rise as well */
+    int by_path; /* whether its step runs along impulses, since walls hardly move: p' is large */
 } impact_path;
 
 static inline impact_path sweep_map(hm_impact *x)
@@ -92,20 +108,52 @@ static inline impact_path sweep_map(hm_impact *x)
     const int64_t n = x->rows;
     double *s = x->scratch + CONTACT_SCRATCH(n), *v = s + n * n;
     int32_t *i = (int32_t *)(void *)(v + 17 * n);
-    impact_path y = {.x = x, .matrix = s, .b = v, .way = v + n, .p = v + 2 * n, .rate = v + 3 * n, .coefficient = v + 4 * n,
-               .gamma = v + 5 * n, .size = v + 6 * n, .q = v + 7 * n, .turn = v + 8 * n, .lead = v + 9 * n,
-               .speed = v + 10 * n, .retreat = v + 11 * n, .deep = v + 12 * n, .wall = v + 13 * n, .kept = v + 14 * n,
-               .first = i, .tangents = i + n, .slides = i + 2 * n, .active = i + 3 * n, .live = i + 4 * n, .on = i + 5 * n,
-               .stuck = i + 6 * n, .waits = i + 7 * n, .start = v + 21 * n, .stage = v + 24 * n};
-    y.rates = (contact_problem){.first = y.first, .tangents = y.tangents, .coefficient = y.coefficient, .slides = y.slides,
-                                .way = y.way, .W = y.matrix, .b = y.b, .p = y.p, .rate = y.rate, .scratch = x->scratch};
+    impact_path y = {.x = x,
+                     .matrix = s,
+                     .b = v,
+                     .way = v + n,
+                     .p = v + 2 * n,
+                     .rate = v + 3 * n,
+                     .coefficient = v + 4 * n,
+                     .gamma = v + 5 * n,
+                     .size = v + 6 * n,
+                     .q = v + 7 * n,
+                     .turn = v + 8 * n,
+                     .lead = v + 9 * n,
+                     .speed = v + 10 * n,
+                     .retreat = v + 11 * n,
+                     .deep = v + 12 * n,
+                     .wall = v + 13 * n,
+                     .kept = v + 14 * n,
+                     .first = i,
+                     .tangents = i + n,
+                     .slides = i + 2 * n,
+                     .active = i + 3 * n,
+                     .live = i + 4 * n,
+                     .on = i + 5 * n,
+                     .stuck = i + 6 * n,
+                     .waits = i + 7 * n,
+                     .start = v + 21 * n,
+                     .stage = v + 24 * n};
+    y.rates = (contact_problem){.first = y.first,
+                                .tangents = y.tangents,
+                                .coefficient = y.coefficient,
+                                .slides = y.slides,
+                                .way = y.way,
+                                .W = y.matrix,
+                                .b = y.b,
+                                .p = y.p,
+                                .rate = y.rate,
+                                .scratch = x->scratch};
     return y;
 }
 
-static inline int32_t impact_slips(const hm_impact *x, int32_t i) { return x->coefficient[i] > 0.0 ? x->tangents[i] : 0; }
+static inline int32_t impact_slips(const hm_impact *x, int32_t i)
+{ return x->coefficient[i] > 0.0 ? x->tangents[i] : 0; }
 
 /* Whether contact i is a joint that rubs. */
-static inline int is_joint(const hm_impact *x, int32_t i) { return x->forces > 0 && x->force_end[i] > x->force_begin[i]; }
+static inline int is_joint(const hm_impact *x, int32_t i)
+{ return x->forces > 0 && x->force_end[i] > x->force_begin[i]; }
 
 static inline double impact_weight(const hm_impact *x, int32_t i)
 {
@@ -126,19 +174,22 @@ HM_SELDOM static void rates_of_impulses(const hm_impact *x, const double *p, dou
 }
 
 /* What counts as no rate in row k. */
-static inline double none_of_row(const impact_path *s, int32_t k) { return SWEEP_ROUND_OFF * s->size[k]; }
+static inline double none_of_row(const impact_path *s, int32_t k)
+{ return SWEEP_ROUND_OFF * s->size[k]; }
 
 static inline double none_of_slip(const impact_path *s, int32_t i)
 {
     double largest = 0.0;
-    for (int32_t t = s->x->first[i] + 1; t <= s->x->first[i] + s->x->tangents[i]; t++) largest = fmax(largest, s->size[t]);
+    for (int32_t t = s->x->first[i] + 1; t <= s->x->first[i] + s->x->tangents[i]; t++)
+        largest = fmax(largest, s->size[t]);
     return largest * (s->x->tangents[i] > 1 ? 2.0 * SWEEP_STOPS : SWEEP_ROUND_OFF);
 }
 
-static inline double slip_now(const impact_path *s, int32_t i) { return hm_length(s->x->tangents[i], s->gamma + s->x->first[i] + 1); }
+static inline double slip_now(const impact_path *s, int32_t i)
+{ return hm_length(s->x->tangents[i], s->gamma + s->x->first[i] + 1); }
 
-/* Equations p_N = d . P of the joints, with the directions d of the impulses P that p brings about. Returns the largest
-   |p_N - |P|| over the largest |P|.                                                                              */
+/* Equations p_N = d . P of the joints, with the directions d of the impulses P that p brings about.
+   Returns the largest |p_N - |P|| over the largest |P|. */
 HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
 {
     double error = 0.0, largest = 0.0;
@@ -146,14 +197,16 @@ HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
         if (!is_joint(x, i)) continue;
         const int64_t k = x->first[i], n = x->rows;
         double *line = x->W + k * n, pressed = 0.0;
-        const double slip = x->tangents[i] ? x->W[(k + 1) * n + k + 1] : 0.0, scale = slip > 0.0 ? slip : 1.0;
+        const double slip = x->tangents[i] ? x->W[(k + 1) * n + k + 1] : 0.0,
+                     scale = slip > 0.0 ? slip : 1.0;
         memset(line, 0, sizeof(double) * (size_t)n);
         for (int32_t at = x->force_begin[i]; at < x->force_end[i];) {
             const int32_t begin = at;
             double sum = 0.0;
             do {
                 double impulse = 0.0;
-                for (int32_t r = 0; r < n; r++) impulse += p[r] * x->force[(int64_t)r * x->forces + at];
+                for (int32_t r = 0; r < n; r++)
+                    impulse += p[r] * x->force[(int64_t)r * x->forces + at];
                 sum += hm_square(impulse);
                 at++;
             } while (at < x->force_end[i] && x->force_continues[at]);
@@ -161,8 +214,10 @@ HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
             pressed += root;
             for (int32_t f = begin; f < at && root > 0.0; f++) {
                 double impulse = 0.0;
-                for (int32_t r = 0; r < n; r++) impulse += p[r] * x->force[(int64_t)r * x->forces + f];
-                for (int32_t r = 0; r < n; r++) line[r] -= scale * impulse / root * x->force[(int64_t)r * x->forces + f];
+                for (int32_t r = 0; r < n; r++)
+                    impulse += p[r] * x->force[(int64_t)r * x->forces + f];
+                for (int32_t r = 0; r < n; r++)
+                    line[r] -= scale * impulse / root * x->force[(int64_t)r * x->forces + f];
             }
         }
         line[k] += scale;
@@ -175,11 +230,15 @@ HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
 /* Rates at which the walls move: that of contact i, with advancing (1) or retreating (-1) walls. */
 static inline double wall_rate(const impact_path *s, int32_t i, int is_active)
 {
-    if (s->way_sign > 0.0) return s->live[i] ? s->speed[i] : s->deep[i] > 0.0 && (s->all_rise || !s->waits[i]) ? s->retreat[i] : 0.0;
+    if (s->way_sign > 0.0)
+        return s->live[i]                                          ? s->speed[i]
+               : s->deep[i] > 0.0 && (s->all_rise || !s->waits[i]) ? s->retreat[i]
+                                                                   : 0.0;
     return s->live[i] ? -s->speed[i] : is_active ? -s->retreat[i] : 0.0;
 }
 
-static inline double wall_now(const impact_path *s, int32_t i) { return s->live[i] ? s->tau * s->speed[i] : -s->deep[i]; }
+static inline double wall_now(const impact_path *s, int32_t i)
+{ return s->live[i] ? s->tau * s->speed[i] : -s->deep[i]; }
 
 static inline int is_active(const impact_path *s, int32_t i)
 {
@@ -187,7 +246,8 @@ static inline int is_active(const impact_path *s, int32_t i)
     return impact_weight(s->x, i) > 0.0 && s->gamma[k] <= wall_now(s, i) + none_of_row(s, k);
 }
 
-/* Lays out the problem of the rates for the contacts that are active. Slip of `slow` of its terms counts as none. */
+/* Lays out the problem of the rates for the contacts that are active. Slip of `slow` of its terms
+   counts as none. */
 HM_SELDOM static void pack_rates(impact_path *s, double slow)
 {
     const hm_impact *x = s->x;
@@ -212,11 +272,13 @@ HM_SELDOM static void pack_rates(impact_path *s, double slow)
             const double *from = x->W + (int64_t)x->rows * (x->first[s->active[c]] + a);
             double *to = s->matrix + (int64_t)y->rows * (s->first[c] + a);
             for (int32_t d = 0; d < y->contacts; d++)
-                for (int32_t b = 0; b <= s->tangents[d]; b++) to[s->first[d] + b] = from[x->first[s->active[d]] + b];
+                for (int32_t b = 0; b <= s->tangents[d]; b++)
+                    to[s->first[d] + b] = from[x->first[s->active[d]] + b];
         }
 }
 
-/* p' (q) of the contacts that are active; 0, or 1 if there is none, or no other than 0 with walls that retreat. */
+/* p' (q) of the contacts that are active; 0, or 1 if there is none, or no other than 0 with walls
+   that retreat. */
 HM_SELDOM static int rates_of_path(impact_path *s, double slow)
 {
     hm_impact *x = s->x;
@@ -232,16 +294,19 @@ HM_SELDOM static int rates_of_path(impact_path *s, double slow)
         if (hm_solve_contacts(y, s->way_sign > 0.0 ? LEAST_WORK_IF_ANY : MOST_WORK)) return 1;
         if (!joints) hm_share_impulses(y);
         for (int32_t c = 0; c < y->contacts; c++)
-            for (int32_t a = 0; a <= s->tangents[c]; a++) s->q[x->first[s->active[c]] + a] = s->p[s->first[c] + a];
+            for (int32_t a = 0; a <= s->tangents[c]; a++)
+                s->q[x->first[s->active[c]] + a] = s->p[s->first[c] + a];
     } while (joints && press_joints(x, s->q) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
     if (s->way_sign > 0.0) x->several |= y->several;
     double most = 0.0;
     for (int32_t k = 0; k < y->rows; k++)
-        if (s->matrix[k * (y->rows + 1)] > 0.0) most = fmax(most, hm_square(s->b[k]) / s->matrix[k * (y->rows + 1)]);
+        if (s->matrix[k * (y->rows + 1)] > 0.0)
+            most = fmax(most, hm_square(s->b[k]) / s->matrix[k * (y->rows + 1)]);
     return s->way_sign < 0.0 && !(work_of_solution(y) > NO_WORK * most);
 }
 
-static inline int may_end(const impact_path *s, int32_t i) { return s->live[i] || (s->deep[i] > 0.0 && !s->waits[i]); }
+static inline int may_end(const impact_path *s, int32_t i)
+{ return s->live[i] || (s->deep[i] > 0.0 && !s->waits[i]); }
 
 /* Contact i ends; one that has not stopped yet stays where it is until its wall can rise. */
 static inline void end_contact(impact_path *s, int32_t i)
@@ -252,7 +317,8 @@ static inline void end_contact(impact_path *s, int32_t i)
     s->waits[i] = s->deep[i] > 0.0;
 }
 
-/* Contacts that end where no path goes on: the union of the least sets of them without which there are rates. */
+/* Contacts that end where no path goes on: the union of the least sets of them without which there
+   are rates. */
 HM_SELDOM static void end_unsolvable(impact_path *s)
 {
     int32_t count = 0, which[MOST_ENDINGS], out = 0;
@@ -269,7 +335,9 @@ HM_SELDOM static void end_unsolvable(impact_path *s)
                 if (set >> k & 1) end_contact(s, which[k]);
             }
             if (!rates_of_path(s, 0.0)) out |= set;
-            for (int32_t k = 0; k < count; k++) s->live[which[k]] = was_live[k], s->deep[which[k]] = was_deep[k], s->waits[which[k]] = 0;
+            for (int32_t k = 0; k < count; k++)
+                s->live[which[k]] = was_live[k], s->deep[which[k]] = was_deep[k],
+                s->waits[which[k]] = 0;
         }
     for (int32_t i = 0, k = 0; i < s->x->contacts; i++)
         if (may_end(s, i) && (count > MOST_ENDINGS || !out || out >> k++ & 1)) end_contact(s, i);

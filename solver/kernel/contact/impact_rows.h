@@ -1,12 +1,13 @@
-/* Rows of the contacts that take part in an impact, and the velocities that impulses along them bring about while all
-   bilateral rows hold.                                                                                           */
+/* Rows of the contacts that take part in an impact, and the velocities that impulses along them
+   bring about while all bilateral rows hold. */
 #ifndef HOLONOM_IMPACT_ROWS_H
 #define HOLONOM_IMPACT_ROWS_H
 
 #include "impact_sweep.h"
 #include "start.h"
 
-/* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to the velocities. */
+/* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to
+   the velocities. */
 HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double factor)
 {
     composite_result result = {0.0, 0.0, 0.0};
@@ -17,7 +18,8 @@ HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double fa
     return status;
 }
 
-/* Velocities x (n, overwritten) that impulses, `momentum` with the other sign, bring about; those of the rows are in mu. */
+/* Velocities x (n, overwritten) that impulses, `momentum` with the other sign, bring about; those
+   of the rows are in mu. */
 HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
 {
     memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
@@ -27,11 +29,11 @@ HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
 /* An impact as it is set up: the rows of contacts that take part, and what is known of each. */
 typedef struct hit {
     hm_impact law;
-    double *W, *coefficient, *restitution, *before; /* what law reads, to be filled                            */
-    double *normal, *out; /* in stepped mode: impulses of the first stage, see velocity_stage.h                      */
-    int32_t *first, *tangents, *force_begin, *force_end; /* likewise                                           */
-    int32_t *contact; /* number of each contact that takes part; of joint friction f -1 - f                    */
-    int32_t *row;     /* composite of each row; -1: of the normal force of a joint                             */
+    double *W, *coefficient, *restitution, *before; /* what law reads, to be filled */
+    double *normal, *out; /* in stepped mode: impulses of the first stage, see velocity_stage.h */
+    int32_t *first, *tangents, *force_begin, *force_end; /* likewise */
+    int32_t *contact; /* number of each contact that takes part; of joint friction f -1 - f */
+    int32_t *row;     /* composite of each row; -1: of the normal force of a joint */
 } hit;
 
 /* Lays the vectors of an impact over the scratch. */
@@ -52,15 +54,28 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
     x->force_end = i + 3 * n;
     x->contact = i + 4 * n;
     x->row = i + 5 * n;
-    x->law = (hm_impact){.W = x->W, .restitution = d, .coefficient = x->coefficient, .before = x->before,
-                         .impulse = d + 3 * n, .after = d + 4 * n, .compression = d + 5 * n, .expansion = d + 6 * n,
-                         .forces = c->m->n_hit_forces, .force = c->k.hit_force, .scratch = c->k.hit_scratch,
-                         .first = x->first, .tangents = x->tangents, .force_begin = x->force_begin, .force_end = x->force_end,
+    x->law = (hm_impact){.W = x->W,
+                         .restitution = d,
+                         .coefficient = x->coefficient,
+                         .before = x->before,
+                         .impulse = d + 3 * n,
+                         .after = d + 4 * n,
+                         .compression = d + 5 * n,
+                         .expansion = d + 6 * n,
+                         .forces = c->m->n_hit_forces,
+                         .force = c->k.hit_force,
+                         .scratch = c->k.hit_scratch,
+                         .first = x->first,
+                         .tangents = x->tangents,
+                         .force_begin = x->force_begin,
+                         .force_end = x->force_end,
                          .force_continues = (const int32_t *)(const void *)c->k.hit_norms};
 }
 
-/* Adds friction f with that normal row, of a contact or of the joint that rubs; 0 if there is no room. */
-HM_SELDOM static int add_rows_to_hit(const context *c, hit *x, int32_t contact, int32_t row, int32_t f, double restitution)
+/* Adds friction f with that normal row, of a contact or of the joint that rubs; 0 if there is no
+   room. */
+HM_SELDOM static int add_rows_to_hit(const context *c, hit *x, int32_t contact, int32_t row,
+                                     int32_t f, double restitution)
 {
     const int32_t k = x->law.contacts, slips = f < 0 ? 0 : n_slips(c, f);
     if (x->law.rows + 1 + slips > c->m->n_hit_rows) return 0;

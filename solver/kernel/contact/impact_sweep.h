@@ -1,25 +1,36 @@
-/* Impact at a fixed configuration: the energetic sweep, which follows the path (impact_path.h) piece by piece to its end; Newton's law
-   where there is no path. */
+/* Impact at a fixed configuration: the energetic sweep, which follows the path (impact_path.h)
+   piece by piece to its end; Newton's law where there is no path. */
 #ifndef HOLONOM_IMPACT_SWEEP_H
 #define HOLONOM_IMPACT_SWEEP_H
 
 #include "turning_pieces.h"
 
-/* Rates by the impulses so far: those of the path leave out what counts as no slip, and where rows depend on each other what remains
-   of them then belongs to no motion. */
+/* Rates by the impulses so far: those of the path leave out what counts as no slip, and where rows
+   depend on each other what remains of them then belongs to no motion. */
 static inline void rates_anew(impact_path *s)
 {
     rates_of_impulses(s->x, s->x->impulse, s->gamma);
     for (int32_t k = 0; k < s->x->rows; k++) s->gamma[k] += s->x->before[k];
 }
 
-/* Impulses p of all contacts at once with 0 <= p_N _|_ gamma_N + (W p)_N >= 0 and friction against the slip at their end, from the
-   rates in s->gamma; rates at the end in `rate`. 0, or 1 if none were found. */
+/* Impulses p of all contacts at once with 0 <= p_N _|_ gamma_N + (W p)_N >= 0 and friction against
+   the slip at their end, from the rates in s->gamma; rates at the end in `rate`. 0, or 1 if none
+   were found. */
 HM_SELDOM static int impulses_at_once(impact_path *s, double *p, double *rate)
 {
     hm_impact *x = s->x;
-    contact_problem all = {.contacts = x->contacts, .rows = x->rows, .first = x->first, .tangents = x->tangents, .coefficient = x->coefficient,
-                           .slides = s->slides, .way = s->way, .W = x->W, .b = s->gamma, .p = p, .rate = rate, .scratch = x->scratch};
+    contact_problem all = {.contacts = x->contacts,
+                           .rows = x->rows,
+                           .first = x->first,
+                           .tangents = x->tangents,
+                           .coefficient = x->coefficient,
+                           .slides = s->slides,
+                           .way = s->way,
+                           .W = x->W,
+                           .b = s->gamma,
+                           .p = p,
+                           .rate = rate,
+                           .scratch = x->scratch};
     int presses = 0;
     for (int32_t i = 0; i < x->contacts; i++) s->slides[i] = 0;
     all.least_size = REST_OF_RATES * sqrt(s->energy);
@@ -31,7 +42,8 @@ HM_SELDOM static int impulses_at_once(impact_path *s, double *p, double *rate)
     return 0;
 }
 
-/* Where no path goes on: all contacts stop at once, without restitution; that never gives energy. */
+/* Where no path goes on: all contacts stop at once, without restitution; that never gives
+   energy. */
 HM_SELDOM static int stop_at_once(impact_path *s)
 {
     hm_impact *x = s->x;
@@ -45,7 +57,8 @@ HM_SELDOM static int stop_at_once(impact_path *s)
     return 0;
 }
 
-/* The last bit of the way of the walls at once, where slips come to rest together with them, which no piece resolves. */
+/* The last bit of the way of the walls at once, where slips come to rest together with them, which
+   no piece resolves. */
 HM_SELDOM static void go_at_once(impact_path *s)
 {
     hm_impact *x = s->x;
@@ -54,7 +67,8 @@ HM_SELDOM static void go_at_once(impact_path *s)
     const int failed = impulses_at_once(s, s->q, s->turn);
     for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] -= s->deep[i];
     s->tau = 0.0;
-    for (int32_t i = 0; i < x->contacts && failed; i++) { /* the path leaves out these rests, none larger than LAST_BIT of the rates */
+    for (int32_t i = 0; i < x->contacts && failed;
+         i++) { /* the path leaves out these rests, none larger than LAST_BIT of the rates */
         const int32_t k = x->first[i];
         if (fabs(s->gamma[k] + s->deep[i]) <= LAST_BIT * s->size[k]) s->gamma[k] = -s->deep[i];
         for (int32_t t = k + 1; t <= k + x->tangents[i]; t++)
@@ -74,10 +88,12 @@ HM_SELDOM static int begin_sweep(impact_path *s)
     int approaches = 0;
     x->friction = x->plastic = 0.0;
     x->jam = x->several = x->pieces = x->newton = 0;
-    for (int32_t k = 0; k < x->rows; k++) s->gamma[k] = x->before[k], x->impulse[k] = s->q[k] = s->turn[k] = 0.0;
+    for (int32_t k = 0; k < x->rows; k++)
+        s->gamma[k] = x->before[k], x->impulse[k] = s->q[k] = s->turn[k] = 0.0;
     press_joints(x, s->q);
     for (int32_t i = 0; i < x->contacts; i++)
-        if (impact_weight(x, i) > 0.0) fastest = fmax(fastest, -x->before[x->first[i]] / sqrt(impact_weight(x, i)));
+        if (impact_weight(x, i) > 0.0)
+            fastest = fmax(fastest, -x->before[x->first[i]] / sqrt(impact_weight(x, i)));
     for (int32_t i = 0; i < x->contacts; i++) {
         const double root = sqrt(impact_weight(x, i));
         x->compression[i] = x->expansion[i] = s->deep[i] = s->wall[i] = 0.0;
@@ -88,12 +104,14 @@ HM_SELDOM static int begin_sweep(impact_path *s)
         s->retreat[i] = is_joint(x, i) ? 0.0 : s->live[i] ? s->speed[i] : fastest * root;
         approaches |= s->live[i];
         for (int32_t k = x->first[i]; k <= x->first[i] + x->tangents[i]; k++)
-            s->size[k] = fmax(fabs(x->before[k]), fastest * sqrt(fmax(x->W[(int64_t)k * (x->rows + 1)], 0.0)));
+            s->size[k] = fmax(fabs(x->before[k]),
+                              fastest * sqrt(fmax(x->W[(int64_t)k * (x->rows + 1)], 0.0)));
     }
     s->tau = -1.0;
     s->energy = 0.0;
     for (int32_t k = 0; k < x->rows; k++)
-        if (x->W[(int64_t)k * (x->rows + 1)] > 0.0) s->energy = fmax(s->energy, hm_square(s->size[k]) / x->W[(int64_t)k * (x->rows + 1)]);
+        if (x->W[(int64_t)k * (x->rows + 1)] > 0.0)
+            s->energy = fmax(s->energy, hm_square(s->size[k]) / x->W[(int64_t)k * (x->rows + 1)]);
     s->by_law = s->by_path = s->all_rise = 0;
     return approaches;
 }
@@ -104,11 +122,14 @@ HM_SELDOM static int sweep_on(impact_path *s)
     hm_impact *x = s->x;
     int goes_on = 0;
     for (int32_t i = 0; i < x->contacts; i++) {
-        if (s->live[i] && s->tau >= 0.0 && budget(s, i) <= BUDGET_SPENT * (x->tangents[i] > 1 ? 10.0 : 1.0) * x->compression[i]) s->live[i] = 0;
+        if (s->live[i] && s->tau >= 0.0
+            && budget(s, i) <= BUDGET_SPENT * (x->tangents[i] > 1 ? 10.0 : 1.0) * x->compression[i])
+            s->live[i] = 0;
         goes_on |= s->live[i] || s->deep[i] > 0.0;
         if (!impact_slips(x, i)) continue;
         s->stuck[i] = slip_now(s, i) <= none_of_slip(s, i);
-        for (int32_t a = 1; a <= x->tangents[i] && s->stuck[i]; a++) s->gamma[x->first[i] + a] = 0.0;
+        for (int32_t a = 1; a <= x->tangents[i] && s->stuck[i]; a++)
+            s->gamma[x->first[i] + a] = 0.0;
     }
     if (!goes_on) return 1;
     const int found = find_rates(s);
@@ -131,11 +152,13 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
     int end = !begin_sweep(&s);
     for (int32_t turn = 0; !end && turn < 60 * (x->contacts + 1); turn++) end = sweep_on(&s);
     if (end <= 0 && stop_at_once(&s)) return 1;
-    for (int32_t i = 0; i < x->contacts; i++) { /* what the Runge-Kutta pair leaves beyond the cone */
+    for (int32_t i = 0; i < x->contacts;
+         i++) { /* what the Runge-Kutta pair leaves beyond the cone */
         double *p = x->impulse + x->first[i];
         const int32_t n = x->tangents[i];
         const double cone = x->coefficient[i] * p[0], size = n ? hm_length(n, p + 1) : 0.0;
-        for (int32_t a = 1; a <= n && size > cone && size <= cone * (1.0 + CONE_CLIPPED); a++) p[a] *= cone / size;
+        for (int32_t a = 1; a <= n && size > cone && size <= cone * (1.0 + CONE_CLIPPED); a++)
+            p[a] *= cone / size;
     }
     rates_of_impulses(x, x->impulse, x->after);
     int is_finite = 1;
@@ -143,8 +166,8 @@ HM_SELDOM static int sweep_impact(hm_impact *x)
     return !is_finite;
 }
 
-/* Newton's law at once, 0 <= p_N _|_ gamma_N+ + part e gamma_N- >= 0 with friction against the slip at the end; returns its loss,
-   or NAN if no impulses were found.                                                                              */
+/* Newton's law at once, 0 <= p_N _|_ gamma_N+ + part e gamma_N- >= 0 with friction against the slip
+   at the end; returns its loss, or NAN if no impulses were found. */
 HM_SELDOM static double newton_impact(impact_path *s, double part)
 {
     hm_impact *x = s->x;
@@ -163,7 +186,8 @@ HM_SELDOM static double newton_impact(impact_path *s, double part)
 
 enum { NEWTON_PARTS = 16, NEWTON_HALVINGS = 50 };
 
-/* In place of a sweep that finds no path: Newton's law, with all e times the largest part of them at which no energy arises. */
+/* In place of a sweep that finds no path: Newton's law, with all e times the largest part of them
+   at which no energy arises. */
 HM_SELDOM static int newton_instead(hm_impact *x)
 {
     impact_path s = sweep_map(x);
@@ -173,7 +197,8 @@ HM_SELDOM static int newton_instead(hm_impact *x)
     for (int32_t i = 0; i < x->contacts; i++) x->compression[i] = x->expansion[i] = 0.0;
     if (newton_impact(&s, 1.0) >= 0.0) return 0;
     for (int part = NEWTON_PARTS - 1; part > 0 && low == 0.0; part--)
-        if (newton_impact(&s, (double)part / NEWTON_PARTS) >= 0.0) low = (double)part / NEWTON_PARTS, high = low + 1.0 / NEWTON_PARTS;
+        if (newton_impact(&s, (double)part / NEWTON_PARTS) >= 0.0)
+            low = (double)part / NEWTON_PARTS, high = low + 1.0 / NEWTON_PARTS;
     for (int halving = 0; halving < NEWTON_HALVINGS && low > 0.0; halving++) {
         if (newton_impact(&s, 0.5 * (low + high)) >= 0.0) low = 0.5 * (low + high);
         else high = 0.5 * (low + high);
@@ -181,11 +206,13 @@ HM_SELDOM static int newton_instead(hm_impact *x)
     return !(newton_impact(&s, low) >= 0.0);
 }
 
-/* Solves one impact; returns 0, or 1 if no impulses were found: those left behind then mean nothing. */
+/* Solves one impact; returns 0, or 1 if no impulses were found: those left behind then mean
+   nothing. */
 HM_SELDOM static int hm_solve_impact(hm_impact *x)
 {
     for (int32_t i = 0; i < x->contacts; i++)
-        if (!is_joint(x, i) && !(impact_weight(x, i) > 0.0) && x->before[x->first[i]] < 0.0) return 1; /* what moves it is held */
+        if (!is_joint(x, i) && !(impact_weight(x, i) > 0.0) && x->before[x->first[i]] < 0.0)
+            return 1; /* what moves it is held */
     return sweep_impact(x) && newton_instead(x);
 }
 

@@ -1,7 +1,7 @@
 /* Joints that rub in an impact.
 
-   Each takes part as a contact of its own: its tangents are its slips, and p_N is the sum of the norms of the impulses in the
-   rows that it rubs by, which are linear in all p.                                                               */
+   Each takes part as a contact of its own: its tangents are its slips, and p_N is the sum of the
+   norms of the impulses in the rows that it rubs by, which are linear in all p. */
 #ifndef HOLONOM_JOINT_IMPACTS_H
 #define HOLONOM_JOINT_IMPACTS_H
 
@@ -14,12 +14,14 @@ HM_SELDOM static int reaches(const context *c, const hit *x, int32_t j)
     while (j >= end[ISLAND_VELOCITY]) end += ISLAND_COLUMNS;
     const int32_t *begin = end - ISLAND_COLUMNS;
     for (int32_t k = 0; k < x->law.contacts; k++)
-        if (x->contact[k] >= 0 && x->row[x->first[k]] >= begin[ISLAND_FUNCTION] && x->row[x->first[k]] < end[ISLAND_FUNCTION])
+        if (x->contact[k] >= 0 && x->row[x->first[k]] >= begin[ISLAND_FUNCTION]
+            && x->row[x->first[k]] < end[ISLAND_FUNCTION])
             return 1;
     return 0;
 }
 
-/* Tells the law which impulses press the joint of friction f, and which of them belong to one norm. */
+/* Tells the law which impulses press the joint of friction f, and which of them belong to one
+   norm. */
 static void press_by(const context *c, hit *x, int32_t f)
 {
     const holonom_model *m = c->m;
@@ -27,7 +29,8 @@ static void press_by(const context *c, hit *x, int32_t f)
     for (int32_t g = 0; g < f; g++)
         if (!is_of_contact(c, g)) at += m->normal_ptr[g + 1] - m->normal_ptr[g];
     x->force_begin[x->law.contacts - 1] = at;
-    for (int32_t e = m->normal_ptr[f]; e < m->normal_ptr[f + 1]; e++) continues[at++] = m->normal_row[2 * e + 1] == NORMAL_CONTINUES;
+    for (int32_t e = m->normal_ptr[f]; e < m->normal_ptr[f + 1]; e++)
+        continues[at++] = m->normal_row[2 * e + 1] == NORMAL_CONTINUES;
     x->force_end[x->law.contacts - 1] = at;
 }
 
@@ -35,7 +38,9 @@ static void press_by(const context *c, hit *x, int32_t f)
 HM_SELDOM static int add_joints_to_hit(const context *c, hit *x)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        if (is_of_contact(c, f) || !(c->number[c->m->sliding_at + f] > 0.0) || !reaches(c, x, slip_row(c, f, 0))) continue;
+        if (is_of_contact(c, f) || !(c->number[c->m->sliding_at + f] > 0.0)
+            || !reaches(c, x, slip_row(c, f, 0)))
+            continue;
         if (!add_rows_to_hit(c, x, -1 - f, -1, f, 0.0)) return 0;
         press_by(c, x, f);
     }

@@ -1,14 +1,16 @@
-/* Forces of contacts at rest, or impulses with the same rates: the least ones inside Coulomb's cones that do together what they must.
+/* Forces of contacts at rest, or impulses with the same rates: the least ones inside Coulomb's
+   cones that do together what they must.
 
        min |x|^2/2,     B x = g,     x_i in K_i = {|x_T| <= c_i x_N},
 
-   x = sqrt(weight) times the forces, B with independent rows. Contacts that hold the same thing twice have many splits; this one is
-   that of equally yielding feet, and knows no order of contacts. Its dual has as many unknowns as B has rows, and none of
-   them is bounded:
+   x = sqrt(weight) times the forces, B with independent rows. Contacts that hold the same thing
+   twice have many splits; this one is that of equally yielding feet, and knows no order of
+   contacts. Its dual has as many unknowns as B has rows, and none of them is bounded:
 
        max_y  y.g - |P_K(B'y)|^2/2,     x = P_K(B'y),
 
-   with the projection P_K on the cones; solved by Newton's semismooth iteration. Without a split the dual grows without bound. */
+   with the projection P_K on the cones; solved by Newton's semismooth iteration. Without a split
+   the dual grows without bound. */
 #ifndef HOLONOM_REST_SPLIT_H
 #define HOLONOM_REST_SPLIT_H
 
@@ -16,25 +18,27 @@
 
 typedef struct rest_split {
     int32_t contacts, rows, rank;
-    const int32_t *first, *tangents; /* per contact: its normal force; forces of friction that follow it: 0 to 3        */
-    const double *coefficient;       /* per contact, >= 0                                                       */
-    const double *B, *g;             /* rank x rows, rank; |g| = 1                                              */
-    double *force, *base;            /* rows each, overwritten: x, and what it is near to                       */
-    double *dual, *way, *defect, *trial; /* rank each, overwritten                                                */
-    double *matrix;                  /* rank x rank, overwritten                                                */
+    const int32_t *first,
+        *tangents; /* per contact: its normal force; forces of friction that follow it: 0 to 3 */
+    const double *coefficient;       /* per contact, >= 0 */
+    const double *B, *g;             /* rank x rows, rank; |g| = 1 */
+    double *force, *base;            /* rows each, overwritten: x, and what it is near to */
+    double *dual, *way, *defect, *trial; /* rank each, overwritten */
+    double *matrix;                  /* rank x rank, overwritten */
 } rest_split;
 
-#define SPLIT_TOLERANCE 1e-13 /* of B x - g, over the forces                                                     */
-#define SPLIT_ACCEPTED 1e-11  /* likewise, where rounding allows no less                                          */
-#define LARGEST_SPLIT 1e8     /* of forces over the load: what needs larger ones is not held                     */
-#define STEEP 0.5             /* part of the slope at which the dual is left to rise: a longer way is tried      */
-#define BACK 0.1              /* likewise, to fall: a shorter one                                                */
-#define DUAL_ROUNDING 2e-16   /* of the dual                                                                    */
-#define LONGEST_WAY 1e20      /* over a step of Newton's iteration                                               */
+#define SPLIT_TOLERANCE 1e-13 /* of B x - g, over the forces */
+#define SPLIT_ACCEPTED 1e-11  /* likewise, where rounding allows no less */
+#define LARGEST_SPLIT 1e8     /* of forces over the load: what needs larger ones is not held */
+#define STEEP 0.5 /* part of the slope at which the dual is left to rise: a longer way is tried */
+#define BACK 0.1              /* likewise, to fall: a shorter one */
+#define DUAL_ROUNDING 2e-16   /* of the dual */
+#define LONGEST_WAY 1e20      /* over a step of Newton's iteration */
 
 enum { MOST_SPLIT_ITERATIONS = 200, MOST_SHARES = 80, MOST_BASES = 4 };
 
-/* Forces of the dual y, B x - g in `defect`; with `hessian` also the negative second derivatives of the dual. */
+/* Forces of the dual y, B x - g in `defect`; with `hessian` also the negative second derivatives of
+   the dual. */
 static void split_of_dual(const rest_split *s, double factor, const double *y, int hessian)
 {
     double slope[MOST_IN_CONE * MOST_IN_CONE];
@@ -49,17 +53,21 @@ static void split_of_dual(const rest_split *s, double factor, const double *y, i
         }
         project_on_cone(n, factor * s->coefficient[i], x, hessian ? slope : NULL);
         for (int32_t l = 0; l < n; l++)
-            for (int32_t k = 0; k < s->rank; k++) s->defect[k] += s->B[s->rows * k + first + l] * x[l];
+            for (int32_t k = 0; k < s->rank; k++)
+                s->defect[k] += s->B[s->rows * k + first + l] * x[l];
         for (int32_t k = 0; k < s->rank && hessian; k++)
             for (int32_t l = 0; l < n; l++) {
                 double sum = 0.0;
-                for (int32_t a = 0; a < n; a++) sum += s->B[s->rows * k + first + a] * slope[n * a + l];
-                for (int32_t j = 0; j <= k; j++) s->matrix[s->rank * k + j] += sum * s->B[s->rows * j + first + l];
+                for (int32_t a = 0; a < n; a++)
+                    sum += s->B[s->rows * k + first + a] * slope[n * a + l];
+                for (int32_t j = 0; j <= k; j++)
+                    s->matrix[s->rank * k + j] += sum * s->B[s->rows * j + first + l];
             }
     }
 }
 
-/* Solves matrix x = b (both modified) with the matrix symmetric and positive definite, its lower part given. */
+/* Solves matrix x = b (both modified) with the matrix symmetric and positive definite, its lower
+   part given. */
 static void solve_definite(int32_t n, double *matrix, double *b)
 {
     for (int32_t k = 0; k < n; k++) {
@@ -77,7 +85,8 @@ static void solve_definite(int32_t n, double *matrix, double *b)
     }
 }
 
-/* Whether forces inside the cones, if there are some, are larger than LARGEST_SPLIT: of each g.y = x.B'y <= |x| |P_K(B'y)|. */
+/* Whether forces inside the cones, if there are some, are larger than LARGEST_SPLIT: of each g.y =
+   x.B'y <= |x| |P_K(B'y)|. */
 static int is_unbounded(const rest_split *s, double factor, const double *y)
 {
     double along = 0.0, size2 = 0.0;
@@ -86,7 +95,8 @@ static int is_unbounded(const rest_split *s, double factor, const double *y)
         double x[MOST_IN_CONE];
         for (int32_t l = 0; l <= s->tangents[i]; l++) {
             x[l] = 0.0;
-            for (int32_t k = 0; k < s->rank; k++) x[l] += s->B[s->rows * k + s->first[i] + l] * y[k];
+            for (int32_t k = 0; k < s->rank; k++)
+                x[l] += s->B[s->rows * k + s->first[i] + l] * y[k];
         }
         project_on_cone(1 + s->tangents[i], factor * s->coefficient[i], x, NULL);
         for (int32_t l = 0; l <= s->tangents[i]; l++) size2 += x[l] * x[l];
@@ -94,8 +104,9 @@ static int is_unbounded(const rest_split *s, double factor, const double *y)
     return along > LARGEST_SPLIT * sqrt(size2);
 }
 
-/* Moves the dual y on along `way`, to about where it rises no more. Its slope there falls all the way: slopes are compared alone, since
-   values near the top tell no increase (Hager and Zhang 2005). */
+/* Moves the dual y on along `way`, to about where it rises no more. Its slope there falls all the
+   way: slopes are compared alone, since values near the top tell no increase (Hager and Zhang
+   2005). */
 static void climb(const rest_split *s, double factor, double *y)
 {
     double slope = 0.0, low = 0.0, high = INFINITY, share = 1.0;
@@ -129,7 +140,8 @@ static int is_split(const rest_split *s, double tolerance)
     return 1;
 }
 
-/* Newton's iteration for the forces nearest to `base`: 1: found, -1: there are none, 0: rounding ends it before. */
+/* Newton's iteration for the forces nearest to `base`: 1: found, -1: there are none, 0: rounding
+   ends it before. */
 static int iterate_split(const rest_split *s, double factor)
 {
     double *y = s->dual;
@@ -150,8 +162,9 @@ static int iterate_split(const rest_split *s, double factor)
     return 0;
 }
 
-/* Whether there is a split with coefficients times `factor`; then `force` is the least one. Where cones nearly close around a wedge the
-   dual is the square of the forces, and its rounding counts: from there on forces near to those are sought. */
+/* Whether there is a split with coefficients times `factor`; then `force` is the least one. Where
+   cones nearly close around a wedge the dual is the square of the forces, and its rounding counts:
+   from there on forces near to those are sought. */
 static int has_split(const rest_split *s, double factor)
 {
     int found = 0;

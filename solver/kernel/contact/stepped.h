@@ -1,8 +1,10 @@
-/* Stepped mode: contacts change at the ends of half steps alone, however many, and no event is located.
+/* Stepped mode: contacts change at the ends of half steps alone, however many, and no event is
+   located.
 
-   A half step h has two stages. The first is a conserving step that obeys the laws of contact (complementarity.h), with the
-   rows of closed contacts and of frictions that stick on (active_contacts.h). Its contacts take -N (g_1 - g_0) >= 0.
-   The second acts on the velocities alone (velocity_stage.h).                                                    */
+   A half step h has two stages. The first is a conserving step that obeys the laws of contact
+   (complementarity.h), with the rows of closed contacts and of frictions that stick on
+   (active_contacts.h). Its contacts take -N (g_1 - g_0) >= 0. The second acts on the velocities
+   alone (velocity_stage.h). */
 #ifndef HOLONOM_STEPPED_H
 #define HOLONOM_STEPPED_H
 
@@ -12,8 +14,8 @@
 #include "velocity_stage.h"
 
 enum {
-    MOST_DIVISIONS = 7, /* of a half step that fails                                                             */
-    DEFERS_FROM = 5     /* of them: from there on friction may be deferred                                        */
+    MOST_DIVISIONS = 7, /* of a half step that fails */
+    DEFERS_FROM = 5     /* of them: from there on friction may be deferred */
 };
 enum { WAKES_LATE = -1 }; /* instead of a status: a contact that sleeps may have come near */
 
@@ -33,11 +35,17 @@ static int32_t try_half(context *c, double h, int half)
     if (status) return status;
     const double kinetic = kinetic_energy(c, c->k.momentum), potential = potential_change(c);
     const double after = ledger_balance(c, kinetic, potential);
-    const double largest = fmax(c->s.head[S_ENERGY_REFERENCE], fmax(kinetic, fabs(potential))); /* the first half step from rest: its own */
+    const double largest =
+        fmax(c->s.head[S_ENERGY_REFERENCE],
+             fmax(kinetic, fabs(potential))); /* the first half step from rest: its own */
     const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * largest;
-    if (HOLONOM_ENERGY_DECIDES && !(fabs(after - before) <= allowed)) return HOLONOM_NEWTON_DIVERGED;
-    const double by_hits = booked(c, S_IMPACT) - impact, by_slips = booked(c, S_FRICTION) - friction;
-    const double given = fmin(by_slips, 0.0) - fmin(by_hits, 0.0); /* of what both take the sum alone is never negative */
+    if (HOLONOM_ENERGY_DECIDES && !(fabs(after - before) <= allowed))
+        return HOLONOM_NEWTON_DIVERGED;
+    const double by_hits = booked(c, S_IMPACT) - impact,
+                 by_slips = booked(c, S_FRICTION) - friction;
+    const double given =
+        fmin(by_slips, 0.0)
+        - fmin(by_hits, 0.0); /* of what both take the sum alone is never negative */
     if (given != 0.0) book(c, S_IMPACT, given), book(c, S_FRICTION, -given);
     return by_hits + by_slips >= -allowed ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
 }
@@ -49,10 +57,11 @@ static int contacts_rub(const context *c)
     return 0;
 }
 
-/* A half step of length h; where it fails, two of half its length. No choice may agree with Coulomb's law: two corners of an edge that
-   stop one after the other contradict each other, however short the step is. A short piece that fails is then taken with friction
-   deferred: its contacts have none in the first stage, and that of the whole piece in the second, by the law of impact, which always
-   has impulses inside the cones.                                                                                 */
+/* A half step of length h; where it fails, two of half its length. No choice may agree with
+   Coulomb's law: two corners of an edge that stop one after the other contradict each other,
+   however short the step is. A short piece that fails is then taken with friction deferred: its
+   contacts have none in the first stage, and that of the whole piece in the second, by the law of
+   impact, which always has impulses inside the cones. */
 static int32_t stepped_half(context *c, double h, int half, int divisions)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
@@ -86,25 +95,26 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
 /* Whether the equations of a step had no solution, as contacts and frictions were. */
 static inline int is_unsolved(int32_t status)
 {
-    return (status >= HOLONOM_NEWTON_DIVERGED && status <= HOLONOM_NOT_FINITE) || status == HOLONOM_TURN_TOO_LARGE ||
-           status == HOLONOM_DAMPING_REVERSED;
+    return (status >= HOLONOM_NEWTON_DIVERGED && status <= HOLONOM_NOT_FINITE)
+           || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_DAMPING_REVERSED;
 }
 
 /* Whether stepped mode may go on where located mode has failed so. */
 static inline int may_step_over(int32_t status)
 {
-    return is_unsolved(status) || status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED ||
-           status == HOLONOM_CONTACT_UNDECIDED;
+    return is_unsolved(status) || status == HOLONOM_TOO_MANY_EVENTS
+           || status == HOLONOM_IMPACT_UNSOLVED || status == HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* Whether a piece of length h that failed so is to be cut: a slip in space may stop sooner than its rate says. */
+/* Whether a piece of length h that failed so is to be cut: a slip in space may stop sooner than its
+   rate says. */
 static int is_to_be_cut(const context *c, int32_t status, double h)
 {
     return is_unsolved(status) && slides_in_space(c) && !is_short(c, h);
 }
 
-/* Covers the rest of a communication step of length `step` that began at `start`. Multipliers are those of the last pair:
-   no line through them leads across an impact.                                                                  */
+/* Covers the rest of a communication step of length `step` that began at `start`. Multipliers are
+   those of the last pair: no line through them leads across an impact. */
 HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, double step)
 {
     double *head = c->s.head;
@@ -128,7 +138,8 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
         if (status) break;
         average_multipliers(c, c->t - 0.5 * h);
         memcpy(c->s.mean_before, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
-        memcpy(c->s.driven_mean_before, c->s.driven_mean, sizeof(double) * (size_t)(DIM * c->m->n_driven));
+        memcpy(c->s.driven_mean_before, c->s.driven_mean,
+               sizeof(double) * (size_t)(DIM * c->m->n_driven));
         follow_energies(c);
         follow_coarseness(c, h);
     }
@@ -138,8 +149,8 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     return status;
 }
 
-/* Covers the rest after located mode has failed for the reason `why`, from the start of the piece that it could not solve.
-   If that fails, too, the step fails for the same reason.                                                       */
+/* Covers the rest after located mode has failed for the reason `why`, from the start of the piece
+   that it could not solve. If that fails, too, the step fails for the same reason. */
 HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double done, double step)
 {
     const int32_t at_fault = c->at_fault, status = cover_stepped(c, start, done, step);
@@ -148,8 +159,8 @@ HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double
     return why;
 }
 
-/* Contacts at the start of a run. In stepped mode what hits does so in the first half step, and those are closed that the
-   first multipliers agree with, if any do.                                                                      */
+/* Contacts at the start of a run. In stepped mode what hits does so in the first half step, and
+   those are closed that the first multipliers agree with, if any do. */
 HM_SELDOM static int32_t begin_contacts(context *c)
 {
     wake_all(c);

@@ -14,7 +14,8 @@ static inline double budget(const impact_path *s, int32_t i)
 HM_SELDOM static void grow_sizes(const impact_path *s, double h)
 {
     for (int32_t k = 0; k < s->x->rows; k++)
-        for (int32_t j = 0; j < s->x->rows; j++) s->size[k] += fabs(s->x->W[(int64_t)k * s->x->rows + j] * h * s->q[j]);
+        for (int32_t j = 0; j < s->x->rows; j++)
+            s->size[k] += fabs(s->x->W[(int64_t)k * s->x->rows + j] * h * s->q[j]);
 }
 
 /* Whether a slip that is pushed turns. */
@@ -27,13 +28,15 @@ HM_SELDOM static int slip_turns(const impact_path *s)
         double along = 0.0, across = 0.0, terms = 0.0;
         for (int32_t a = 0; a < n; a++) along += u[a] * du[a] / slip;
         for (int32_t a = 0; a < n; a++) across += hm_square(du[a] - along * u[a] / slip);
-        for (int32_t j = 0; j < s->x->rows; j++) terms += fabs(s->x->W[(int64_t)(k + 1) * s->x->rows + j] * s->q[j]);
+        for (int32_t j = 0; j < s->x->rows; j++)
+            terms += fabs(s->x->W[(int64_t)(k + 1) * s->x->rows + j] * s->q[j]);
         if (sqrt(across) > 1e-12 * hm_length(n, du) + 1e-15 * terms) return 1;
     }
     return 0;
 }
 
-/* Part of the piece after which the walls are at the ends of their ways: what no piece goes beyond. */
+/* Part of the piece after which the walls are at the ends of their ways: what no piece goes
+   beyond. */
 static inline double end_of_walls(const impact_path *s)
 {
     double h = s->way_sign * s->tau < 0.0 ? fabs(s->tau) : INFINITY;
@@ -56,17 +59,21 @@ HM_SELDOM static double length_of_straight(const impact_path *s)
             if (growth < 0.0) h = fmin(h, slip / -growth);
         }
         const double gap = s->gamma[k] - wall_now(s, i), nears = s->wall[i] - s->turn[k];
-        if (!(s->q[k] > 0.0) && nears > 0.0 && gap > none_of_row(s, k) && impact_weight(x, i) > 0.0) h = fmin(h, gap / nears);
+        if (!(s->q[k] > 0.0) && nears > 0.0 && gap > none_of_row(s, k) && impact_weight(x, i) > 0.0)
+            h = fmin(h, gap / nears);
         if (s->live[i] && s->tau >= 0.0 && s->q[k] > 0.0) {
-            const double left = budget(s, i), a1 = s->q[k] * s->gamma[k], a2 = 0.5 * s->q[k] * s->turn[k];
-            const double square = a1 * a1 + 4.0 * a2 * left, root = square >= 0.0 ? a1 + sqrt(square) : 0.0;
+            const double left = budget(s, i), a1 = s->q[k] * s->gamma[k],
+                         a2 = 0.5 * s->q[k] * s->turn[k];
+            const double square = a1 * a1 + 4.0 * a2 * left,
+                         root = square >= 0.0 ? a1 + sqrt(square) : 0.0;
             if (root > 0.0 && left > 0.0) h = fmin(h, 2.0 * left / root);
         }
     }
     return h;
 }
 
-/* Books the work of impulses over a part of the path: of contact i along its normal, and of all friction. */
+/* Books the work of impulses over a part of the path: of contact i along its normal, and of all
+   friction. */
 static inline void book_normal(const impact_path *s, int32_t i, double work)
 {
     if (is_joint(s->x, i)) return;
@@ -74,13 +81,15 @@ static inline void book_normal(const impact_path *s, int32_t i, double work)
     else s->x->expansion[i] += work;
 }
 
-/* Moves clock and walls on by a part h of the piece; returns whether a wall is back from its retreat. */
+/* Moves clock and walls on by a part h of the piece; returns whether a wall is back from its
+   retreat. */
 HM_SELDOM static int move_walls(impact_path *s, double h)
 {
     int is_back = 0;
     if (h == fabs(s->tau) && s->way_sign * s->tau < 0.0) s->tau = 0.0;
     else s->tau += s->way_sign * h;
-    if (fabs(s->tau) < SWEEP_ROUND_OFF) s->tau = 0.0; /* what slips stop with the walls has no order */
+    if (fabs(s->tau) < SWEEP_ROUND_OFF)
+        s->tau = 0.0; /* what slips stop with the walls has no order */
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const double way = h * s->wall[i];
         if (s->live[i]) s->deep[i] = 0.0;

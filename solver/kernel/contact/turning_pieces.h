@@ -1,4 +1,5 @@
-/* Pieces of the path of an impact in space in which slip turns: a Runge-Kutta pair of order 8 follows it between events. */
+/* Pieces of the path of an impact in space in which slip turns: a Runge-Kutta pair of order 8
+   follows it between events. */
 #ifndef HOLONOM_TURNING_PIECES_H
 #define HOLONOM_TURNING_PIECES_H
 
@@ -10,23 +11,27 @@ HM_SELDOM static void fix_statuses(impact_path *s)
     const hm_impact *x = s->x;
     double largest = 0.0;
     s->by_law = s->by_path = 0;
-    for (int32_t i = 0; i < x->contacts; i++) largest = fmax(largest, s->q[x->first[i]] * sqrt(impact_weight(x, i)));
+    for (int32_t i = 0; i < x->contacts; i++)
+        largest = fmax(largest, s->q[x->first[i]] * sqrt(impact_weight(x, i)));
     for (int32_t i = 0; i < x->contacts; i++) {
         const int32_t k = x->first[i], n = impact_slips(x, i);
         s->on[i] = s->q[k] * sqrt(impact_weight(x, i)) > 1e-10 * largest ? PUSHES_SLIDING : IDLE;
         if (s->on[i] == IDLE || !n || !s->stuck[i]) continue;
         const double force = hm_length(n, s->q + k + 1);
         double terms = 0.0;
-        for (int32_t j = 0; j < x->rows; j++) terms += fabs(x->W[(int64_t)(k + 1) * x->rows + j] * s->q[j]);
+        for (int32_t j = 0; j < x->rows; j++)
+            terms += fabs(x->W[(int64_t)(k + 1) * x->rows + j] * s->q[j]);
         const double growth = hm_length(n, s->turn + k + 1);
-        if (force < x->coefficient[i] * s->q[k] * (1.0 - 1e-10) || growth <= 1e-10 * terms) s->on[i] = PUSHES_STUCK;
+        if (force < x->coefficient[i] * s->q[k] * (1.0 - 1e-10) || growth <= 1e-10 * terms)
+            s->on[i] = PUSHES_STUCK;
         else if (growth < BEGINS_SLOWLY * terms) s->on[i] = PUSHES_BEGINNING;
         s->by_law |= s->on[i] == PUSHES_BEGINNING;
         for (int32_t a = 1; a <= n; a++) s->lead[k + a] = force > 0.0 ? -s->q[k + a] / force : 0.0;
     }
 }
 
-/* p' (q) at these rates with the statuses of the piece: linear, but for the directions in joints. */
+/* p' (q) at these rates with the statuses of the piece: linear, but for the directions in
+   joints. */
 HM_SELDOM static void rates_by_statuses(const impact_path *s, const double *gamma, double *q)
 {
     hm_impact *x = s->x;
@@ -39,23 +44,35 @@ HM_SELDOM static void rates_by_statuses(const impact_path *s, const double *gamm
         const int leads = s->stuck[i] && !(slip > none_of_slip(s, i));
         joints |= is_joint(x, i);
         for (int32_t a = 1; a <= n; a++)
-            direction[k + a] = s->on[i] != PUSHES_SLIDING ? 0.0 : -x->coefficient[i] * (leads ? s->lead[k + a] : slip > 0.0 ? gamma[k + a] / slip : 0.0);
+            direction[k + a] = s->on[i] != PUSHES_SLIDING
+                                   ? 0.0
+                                   : -x->coefficient[i]
+                                         * (leads        ? s->lead[k + a]
+                                            : slip > 0.0 ? gamma[k + a] / slip
+                                                         : 0.0);
     }
     do {
         int32_t count = 0;
         for (int32_t i = 0; i < x->contacts; i++)
             if (s->on[i] != IDLE) count += 1 + (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
         for (int32_t i = 0, e = 0; i < x->contacts; i++)
-            for (int32_t a = 0; s->on[i] != IDLE && a <= (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0); a++, e++) {
-                const double *w = x->W + (int64_t)x->rows * (x->first[i] + a), own = w[x->first[i] + a];
+            for (int32_t a = 0;
+                 s->on[i] != IDLE && a <= (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
+                 a++, e++) {
+                const double *w = x->W + (int64_t)x->rows * (x->first[i] + a),
+                             own = w[x->first[i] + a];
                 const double scale = own > 0.0 ? 1.0 / sqrt(own) : 0.0;
                 rhs[e] = a ? 0.0 : s->wall[i] * scale;
                 for (int32_t j = 0, u = 0; j < x->contacts; j++)
-                    for (int32_t b = 0; s->on[j] != IDLE && b <= (s->on[j] == PUSHES_STUCK ? impact_slips(x, j) : 0); b++, u++) {
+                    for (int32_t b = 0; s->on[j] != IDLE
+                                        && b <= (s->on[j] == PUSHES_STUCK ? impact_slips(x, j) : 0);
+                         b++, u++) {
                         const int32_t l = x->first[j] + b;
                         const double weight = x->W[(int64_t)l * x->rows + l];
                         double sum = w[l];
-                        for (int32_t t = 1; t <= impact_slips(x, j) && s->on[j] == PUSHES_SLIDING; t++) sum += w[l + t] * direction[l + t];
+                        for (int32_t t = 1; t <= impact_slips(x, j) && s->on[j] == PUSHES_SLIDING;
+                             t++)
+                            sum += w[l + t] * direction[l + t];
                         A[e * count + u] = weight > 0.0 ? sum * scale / sqrt(weight) : e == u;
                     }
             }
@@ -64,11 +81,14 @@ HM_SELDOM static void rates_by_statuses(const impact_path *s, const double *gamm
         for (int32_t k = 0; k < x->rows; k++) q[k] = 0.0;
         for (int32_t i = 0, u = 0; i < x->contacts; i++) {
             const int32_t k = x->first[i];
-            for (int32_t a = 0; s->on[i] != IDLE && a <= (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0); a++, u++) {
+            for (int32_t a = 0;
+                 s->on[i] != IDLE && a <= (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
+                 a++, u++) {
                 const double weight = x->W[(int64_t)(k + a) * (x->rows + 1)];
                 q[k + a] = weight > 0.0 ? solution[u] / sqrt(weight) : 0.0;
             }
-            for (int32_t a = 1; a <= impact_slips(x, i) && s->on[i] == PUSHES_SLIDING; a++) q[k + a] = q[k] * direction[k + a];
+            for (int32_t a = 1; a <= impact_slips(x, i) && s->on[i] == PUSHES_SLIDING; a++)
+                q[k + a] = q[k] * direction[k + a];
         }
     } while (joints && press_joints(x, q) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
 }
@@ -87,7 +107,8 @@ HM_SELDOM static void rates_by_law(impact_path *s, double *gamma, double *q)
     }
     hm_share_impulses(&s->rates);
     for (int32_t c = 0; c < s->rates.contacts; c++)
-        for (int32_t a = 0; a <= s->tangents[c]; a++) q[s->x->first[s->active[c]] + a] = s->p[s->first[c] + a];
+        for (int32_t a = 0; a <= s->tangents[c]; a++)
+            q[s->x->first[s->active[c]] + a] = s->p[s->first[c] + a];
 }
 
 /* Size of p', over that of the rates that walls bring about; with the sign of what pushes. */
@@ -103,8 +124,8 @@ HM_SELDOM static double size_of_rates(const impact_path *s, const double *q)
     return walls > 0.0 ? largest / walls : 0.0;
 }
 
-/* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less; below 0 where walls have to
-   turn back.                                                                                                     */
+/* p' (q) in the piece. Returns the rate of the clock in the step: 1, or, along impulses, less;
+   below 0 where walls have to turn back. */
 HM_SELDOM static double rates_in_piece(impact_path *s, double *gamma, double *q)
 {
     if (s->by_law) rates_by_law(s, gamma, q);
@@ -116,8 +137,9 @@ HM_SELDOM static double rates_in_piece(impact_path *s, double *gamma, double *q)
     return pace;
 }
 
-/* One Runge-Kutta step of length h from the present state: impulses, works along normals and of friction (in `end`, rows +
-   contacts + 1) and the way of the clock behind them, rates there (in `gamma`). Returns its error over what is allowed. */
+/* One Runge-Kutta step of length h from the present state: impulses, works along normals and of
+   friction (in `end`, rows + contacts + 1) and the way of the clock behind them, rates there (in
+   `gamma`). Returns its error over what is allowed. */
 HM_SELDOM static double try_turning(impact_path *s, double h, double *end, double *gamma)
 {
     const hm_impact *x = s->x;
@@ -128,7 +150,8 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
         double *slope = s->stage + (int64_t)n * stage, friction = 0.0;
         for (int32_t e = 0; e < x->rows; e++) {
             sums[e] = 0.0;
-            for (int before = 0; before < stage; before++) sums[e] += pair->part[stage][before] * s->stage[(int64_t)n * before + e];
+            for (int before = 0; before < stage; before++)
+                sums[e] += pair->part[stage][before] * s->stage[(int64_t)n * before + e];
         }
         rates_of_impulses(x, sums, gamma);
         for (int32_t k = 0; k < x->rows; k++) gamma[k] = s->gamma[k] + h * gamma[k];
@@ -144,7 +167,8 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
     for (int side = 1; side >= 0; side--) {
         for (int32_t e = 0; e < n; e++) {
             sums[e] = 0.0;
-            for (int stage = 0; stage < pair->stages; stage++) sums[e] += pair->difference[side][stage] * s->stage[(int64_t)n * stage + e];
+            for (int stage = 0; stage < pair->stages; stage++)
+                sums[e] += pair->difference[side][stage] * s->stage[(int64_t)n * stage + e];
         }
         rates_of_impulses(x, sums, gamma);
         for (int32_t k = 0; k < x->rows; k++) {
@@ -160,7 +184,8 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
     }
     for (int32_t e = 0; e < n; e++) {
         end[e] = 0.0;
-        for (int stage = 0; stage < pair->stages; stage++) end[e] += h * pair->weight[stage] * s->stage[(int64_t)n * stage + e];
+        for (int stage = 0; stage < pair->stages; stage++)
+            end[e] += h * pair->weight[stage] * s->stage[(int64_t)n * stage + e];
     }
     rates_of_impulses(x, end, gamma);
     for (int32_t k = 0; k < x->rows; k++) gamma[k] += s->gamma[k];
@@ -168,11 +193,14 @@ HM_SELDOM static double try_turning(impact_path *s, double h, double *end, doubl
     return both > 0.0 ? five * five / both : 0.0;
 }
 
-/* What must stay above 0 in a turning piece, each over its size: of the clock until the walls stand, and of each contact. */
+/* What must stay above 0 in a turning piece, each over its size: of the clock until the walls
+   stand, and of each contact. */
 enum { UNTIL_WALLS_STAND = -1, MARGIN_PUSHES, MARGIN_CONE, MARGIN_BUDGET, MARGIN_GAP, MARGINS };
 
-/* The margin `which` (contact times MARGINS + kind) after a step that led to `end` and `gamma`, with p' there in q. */
-HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, const double *end, const double *gamma, const double *q)
+/* The margin `which` (contact times MARGINS + kind) after a step that led to `end` and `gamma`,
+   with p' there in q. */
+HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, const double *end,
+                                        const double *gamma, const double *q)
 {
     const hm_impact *x = s->x;
     const double way = end[x->rows + x->contacts + 1], rest = end_of_walls(s);
@@ -183,14 +211,17 @@ HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, con
     case MARGIN_PUSHES: {
         /* Where walls turn back, what they alone push stops to push and would pull. */
         const double turned = s->by_path && s->pace < PAST_TURN ? 3.0 * PAST_TURN : -1e-14;
-        return s->on[i] == IDLE ? INFINITY : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) + turned;
+        return s->on[i] == IDLE ? INFINITY
+                                : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) + turned;
     }
     case MARGIN_CONE:
-        if (s->on[i] == PUSHES_BEGINNING) return 1.0 - hm_length(n, gamma + k + 1) / (HAS_BEGUN * s->size[k + 1]);
+        if (s->on[i] == PUSHES_BEGINNING)
+            return 1.0 - hm_length(n, gamma + k + 1) / (HAS_BEGUN * s->size[k + 1]);
         if (s->on[i] != PUSHES_STUCK || !n || s->by_law) return INFINITY;
         return 1.0 + CONE_LEFT - hm_length(n, q + k + 1) / (x->coefficient[i] * q[k]);
     case MARGIN_BUDGET:
-        if (s->on[i] == IDLE || !s->live[i] || s->tau < 0.0 || !(x->compression[i] > 0.0)) return INFINITY;
+        if (s->on[i] == IDLE || !s->live[i] || s->tau < 0.0 || !(x->compression[i] > 0.0))
+            return INFINITY;
         return (budget(s, i) - end[x->rows + i]) / x->compression[i];
     default:
         if (s->on[i] != IDLE || !(impact_weight(x, i) > 0.0)) return INFINITY;
@@ -211,7 +242,8 @@ HM_SELDOM static int32_t margin_lost(impact_path *s, const double *end, double *
     return lost;
 }
 
-/* Longest step that no slip which pushes is likely to stop in: nine tenths of the way, as it slows down now. */
+/* Longest step that no slip which pushes is likely to stop in: nine tenths of the way, as it slows
+   down now. */
 HM_SELDOM static double before_stops(const impact_path *s)
 {
     double h = INFINITY;
@@ -242,26 +274,31 @@ HM_SELDOM static int slip_lost(const impact_path *s, const double *gamma)
 static inline int slip_stops(const impact_path *s)
 {
     for (int32_t i = 0; i < s->x->contacts; i++)
-        if (impact_slips(s->x, i) && s->on[i] == PUSHES_SLIDING && !s->stuck[i] && slip_now(s, i) <= none_of_slip(s, i)) return 1;
+        if (impact_slips(s->x, i) && s->on[i] == PUSHES_SLIDING && !s->stuck[i]
+            && slip_now(s, i) <= none_of_slip(s, i))
+            return 1;
     return 0;
 }
 
 enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60, MOST_REFUSED = 20 };
 
-/* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of those that are below 0 behind it.
-   Returns the error of the step over what is allowed.                                                            */
-HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, double *end, double *gamma)
+/* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of
+   those that are below 0 behind it. Returns the error of the step over what is allowed. */
+HM_SELDOM static double end_of_piece(impact_path *s, int32_t lost, double h, double *end,
+                                     double *gamma)
 {
     const int32_t n = s->x->rows + s->x->contacts + 2;
     double *q = s->start, error = 0.0;
-    for (int32_t turn = 0; turn <= s->x->contacts && lost > -2; turn++, lost = margin_lost(s, end, gamma)) {
+    for (int32_t turn = 0; turn <= s->x->contacts && lost > -2;
+         turn++, lost = margin_lost(s, end, gamma)) {
         double low = 0.0, high = h;
         rates_in_piece(s, gamma, q);
         double at_high = margin_in_piece(s, lost, end, gamma, q);
         memset(end, 0, sizeof(double) * (size_t)n);
         rates_in_piece(s, s->gamma, q);
         double at_low = fmax(margin_in_piece(s, lost, end, s->gamma, q), 1e-15);
-        for (int search = 0, side = 0; search < MOST_SEARCHES && high - low > 1e-15 * high; search++) {
+        for (int search = 0, side = 0; search < MOST_SEARCHES && high - low > 1e-15 * high;
+             search++) {
             h = low + (high - low) * fmin(fmax(at_low / (at_low - at_high), 1e-9), 1.0 - 1e-9);
             error = try_turning(s, h, end, gamma);
             rates_in_piece(s, gamma, q);
@@ -299,7 +336,8 @@ HM_SELDOM static int go_round(impact_path *s)
         }
         rates_of_impulses(x, s->q, s->turn);
         if (done > 0.0 && (slip_stops(s) || !slip_turns(s))) break;
-        const double rest = end_of_walls(s), unit = s->by_path ? 1.0 / fabs(size) : 1.0; /* h is by the clock */
+        const double rest = end_of_walls(s),
+                     unit = s->by_path ? 1.0 / fabs(size) : 1.0; /* h is by the clock */
         h = fmin(fmin(h, rest), before_stops(s) * unit);
         if (!(h > 1e-16 * unit)) break;
         const double error = try_turning(s, h / unit, end, gamma);

@@ -1,31 +1,41 @@
 /* Second stage of a half step of stepped mode: velocities change alone, at q_1.
 
-   Where contacts land, the law of impact of located mode acts at q_1 (impact_sweep.h) on all that touch in their islands: closed ones have
-   no restitution. The velocities before are those of the first stage without its impulses in contacts and joints that rub: all but
-   the part 1 - kappa of the normal ones of landing contacts. These impulses took energy; kappa = 1 + O(h) is such that
-   all of that is given back, a quadratic equation, so that an impact loses what its law says, wherever in the half step it falls.
+   Where contacts land, the law of impact of located mode acts at q_1 (impact_sweep.h) on all that
+   touch in their islands: closed ones have no restitution. The velocities before are those of the
+   first stage without its impulses in contacts and joints that rub: all but the part 1 - kappa of
+   the normal ones of landing contacts. These impulses took energy; kappa = 1 + O(h) is such that
+   all of that is given back, a quadratic equation, so that an impact loses what its law says,
+   wherever in the half step it falls.
 
-   In islands where none lands, what holds has no rate. That is so, too, where so much touches that the path of an impact takes longer than
-   the step: landing contacts then part with rates f e |g'_0|, without friction, such that e^2 of what both stages take
-   with f = 0 is given back.                                                                                       */
+   In islands where none lands, what holds has no rate. That is so, too, where so much touches that
+   the path of an impact takes longer than the step: landing contacts then part with rates f e
+   |g'_0|, without friction, such that e^2 of what both stages take with f = 0 is given back. */
 #ifndef HOLONOM_VELOCITY_STAGE_H
 #define HOLONOM_VELOCITY_STAGE_H
 
 #include "half_step_contacts.h"
 
-/* How a contact takes part in the second stage: RUBS, was closed before, in a half step whose frictions are deferred. */
+/* How a contact takes part in the second stage: RUBS, was closed before, in a half step whose
+   frictions are deferred. */
 enum { IS_HELD, LANDS, LANDS_AMONG_MANY, RUBS };
-enum { MANY_ROWS = 60 }; /* of contacts, frictions and joints that rub: dense matrices of theirs are factored for each piece of a path */
+enum {
+    MANY_ROWS = 60
+}; /* of contacts, frictions and joints that rub: dense matrices of theirs are factored for each
+      piece of a path */
 
-static double booked(const context *c, int account) { return c->s.head[account] + c->s.head[account + 1]; }
+static double booked(const context *c, int account)
+{ return c->s.head[account] + c->s.head[account + 1]; }
 
-/* Keeps what contacts and frictions did in the first stage, which is at hand: impulses against all rows (in event_mu), and energies. */
+/* Keeps what contacts and frictions did in the first stage, which is at hand: impulses against all
+   rows (in event_mu), and energies. */
 static void keep_first_stage(const context *c)
 {
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.event_mu[i] = c->h * c->k.mu[i];
     EACH_CONTACT(c, i) {
         const int32_t row = row_of(c, c->m->contact_row[i]);
-        touch_of(c, i)->lands = is_landing(c, i) ? LANDS : is_closed(c, i) && c->defers_friction ? RUBS : IS_HELD;
+        touch_of(c, i)->lands = is_landing(c, i)                        ? LANDS
+                                : is_closed(c, i) && c->defers_friction ? RUBS
+                                                                        : IS_HELD;
         touch_of(c, i)->taken = is_closed(c, i) ? c->k.mu[row] * c->k.change[row] : 0.0;
     }
     EACH_FRICTION(c, f) {
@@ -53,11 +63,14 @@ static int island_has(const context *c, int32_t island, int how)
 }
 
 /* Whether the law of impact acts on that island. */
-static int is_hit(const context *c, int32_t island) { return island_has(c, island, LANDS) || island_has(c, island, RUBS); }
+static int is_hit(const context *c, int32_t island)
+{ return island_has(c, island, LANDS) || island_has(c, island, RUBS); }
 
-static inline int has_landed(const touch *x) { return x->lands == LANDS || x->lands == LANDS_AMONG_MANY; }
+static inline int has_landed(const touch *x)
+{ return x->lands == LANDS || x->lands == LANDS_AMONG_MANY; }
 
-/* Restitution of contact i. A flight that begins and ends in one half step is the last one, unless nothing is lost. */
+/* Restitution of contact i. A flight that begins and ends in one half step is the last one, unless
+   nothing is lost. */
 static double restitution_in_step(const context *c, int32_t i)
 {
     const touch *x = touch_of(c, i);
@@ -65,14 +78,17 @@ static double restitution_in_step(const context *c, int32_t i)
     return e < 1.0 && x->gap <= gap_tolerance(c) && x->rate > 0.0 ? 0.0 : e;
 }
 
-/* Collects what touches in that island, and joints that rub, with what the first stage did there: impulses to be taken out as a whole, those
-   of the normals of landing contacts, and energies taken. Returns 0 if these are many.                            */
+/* Collects what touches in that island, and joints that rub, with what the first stage did there:
+   impulses to be taken out as a whole, those of the normals of landing contacts, and energies
+   taken. Returns 0 if these are many. */
 static int collect_landing(const context *c, hit *x, int32_t island, double *taken, double *rubbed)
 {
     *taken = *rubbed = 0.0;
     EACH_CONTACT(c, i) {
         const touch *own = touch_of(c, i);
-        if (!is_of_island(c, c->m->contact_row[i], island) || !(is_closed(c, i) || gap_of(c, i) <= gap_tolerance(c))) continue;
+        if (!is_of_island(c, c->m->contact_row[i], island)
+            || !(is_closed(c, i) || gap_of(c, i) <= gap_tolerance(c)))
+            continue;
         if (!add_to_hit(c, x, i, restitution_in_step(c, i))) return 0;
         *taken += own->taken;
         if (c->m->contact_friction[i] >= 0) *rubbed += c->k.rubbed[c->m->contact_friction[i]];
@@ -90,8 +106,8 @@ static int collect_landing(const context *c, hit *x, int32_t island, double *tak
     return 1;
 }
 
-/* Part of the impulses x->normal to be taken out, with all of x->out, that gives back what was `taken`: the larger root of the energies;
-   negative: there is none.                                                                                        */
+/* Part of the impulses x->normal to be taken out, with all of x->out, that gives back what was
+   `taken`: the larger root of the energies; negative: there is none. */
 static double part_taken_out(const hit *x, double taken)
 {
     const int32_t n = x->law.rows;
@@ -110,8 +126,9 @@ static double part_taken_out(const hit *x, double taken)
     return square > 0.0 && root2 >= 0.0 ? 0.5 * (sqrt(root2) - linear) / square : -1.0;
 }
 
-/* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone would give back more than was taken, the
-   same part of all of them goes. Where none `lands` all of them go.                                               */
+/* Takes these impulses out of the rates before, and tells all in x->out. Where the others alone
+   would give back more than was taken, the same part of all of them goes. Where none `lands` all of
+   them go. */
 static void take_out(context *c, const hit *x, double taken, int lands)
 {
     const int32_t n = x->law.rows;
@@ -127,14 +144,17 @@ static void take_out(context *c, const hit *x, double taken, int lands)
 }
 
 /* Restitution of contact k of an impact that approaches at that rate, of those that `rebound`. */
-static double restitution_of_hit(const context *c, const hit *x, int32_t k, double rate, int rebounds)
+static double restitution_of_hit(const context *c, const hit *x, int32_t k, double rate,
+                                 int rebounds)
 {
     const int is_fast = -rate > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c));
-    return !is_fast || x->contact[k] < 0 ? 0.0 : rebounds ? c->number[c->m->restitution_at + x->contact[k]] : x->restitution[k];
+    return !is_fast || x->contact[k] < 0 ? 0.0
+           : rebounds                    ? c->number[c->m->restitution_at + x->contact[k]]
+                                         : x->restitution[k];
 }
 
-/* Lets the rows of all contacts take part, or those of contact `alone` and of joints that rub, from rates at hand: of the others W and
-   rates are 0. */
+/* Lets the rows of all contacts take part, or those of contact `alone` and of joints that rub, from
+   rates at hand: of the others W and rates are 0. */
 static void let_take_part(const hit *x, const double *W, const double *rate, int32_t alone)
 {
     const int32_t n = x->law.rows;
@@ -142,21 +162,25 @@ static void let_take_part(const hit *x, const double *W, const double *rate, int
         const int acts = alone < 0 || k == alone || x->contact[k] < 0;
         for (int32_t r = x->first[k]; r <= x->first[k] + x->tangents[k]; r++) {
             x->before[r] = acts ? rate[r] : 0.0;
-            for (int32_t s = 0; s < n; s++) x->W[(int64_t)n * r + s] = acts ? W[(int64_t)n * r + s] : 0.0;
+            for (int32_t s = 0; s < n; s++)
+                x->W[(int64_t)n * r + s] = acts ? W[(int64_t)n * r + s] : 0.0;
         }
     }
     for (int32_t k = 0; k < x->law.contacts && alone >= 0; k++)
-        for (int32_t s = x->first[k]; s <= x->first[k] + x->tangents[k] && k != alone && x->contact[k] >= 0; s++)
+        for (int32_t s = x->first[k];
+             s <= x->first[k] + x->tangents[k] && k != alone && x->contact[k] >= 0; s++)
             for (int32_t r = 0; r < n; r++) x->W[(int64_t)n * r + s] = 0.0;
 }
 
-/* Impulses by the sequential law: the contact that approaches fastest is hit alone, again and again, until none approaches. What was
-   closed rebounds if others drive it together. One that does not rebound takes along all that touch. The rate before of a contact that
-   is hit is then that of its first hit. 0, or 1 if no impulses were found. */
+/* Impulses by the sequential law: the contact that approaches fastest is hit alone, again and
+   again, until none approaches. What was closed rebounds if others drive it together. One that does
+   not rebound takes along all that touch. The rate before of a contact that is hit is then that of
+   its first hit. 0, or 1 if no impulses were found. */
 static int solve_in_sequence(context *c, hit *x)
 {
     const int32_t n = x->law.rows;
-    double *W = c->k.rest, *rate = W + (int64_t)n * n, *impulse = rate + n, *before = impulse + n, *own = before + n;
+    double *W = c->k.rest, *rate = W + (int64_t)n * n, *impulse = rate + n, *before = impulse + n,
+           *own = before + n;
     int status = 0;
     memcpy(W, x->W, sizeof(double) * (size_t)n * (size_t)n);
     memcpy(rate, x->before, sizeof(double) * (size_t)n);
@@ -170,11 +194,13 @@ static int solve_in_sequence(context *c, hit *x)
         int32_t fastest = -1;
         double most = -speed_tolerance(c);
         for (int32_t k = 0; k < x->law.contacts; k++)
-            if (x->contact[k] >= 0 && rate[x->first[k]] < most) most = rate[x->first[k]], fastest = k;
+            if (x->contact[k] >= 0 && rate[x->first[k]] < most)
+                most = rate[x->first[k]], fastest = k;
         if (fastest < 0) break;
         memcpy(x->restitution, own, sizeof(double) * (size_t)n);
         const int alone = restitution_of_hit(c, x, fastest, most, hits > 0) > 0.0;
-        for (int32_t k = 0; k < x->law.contacts; k++) x->restitution[k] = restitution_of_hit(c, x, k, rate[x->first[k]], hits > 0);
+        for (int32_t k = 0; k < x->law.contacts; k++)
+            x->restitution[k] = restitution_of_hit(c, x, k, rate[x->first[k]], hits > 0);
         if (alone && before[x->first[fastest]] == 0.0) before[x->first[fastest]] = most;
         let_take_part(x, W, rate, alone ? fastest : -1);
         status = hits == MOST_SEQUENTIAL || solve_hit(c, x);
@@ -192,7 +218,8 @@ static int solve_in_sequence(context *c, hit *x)
 static int solve_landing(context *c, hit *x)
 {
     if (c->s.head[S_IMPACT_LAW] != 0.0) return solve_in_sequence(c, x);
-    for (int32_t k = 0; k < x->law.contacts; k++) x->restitution[k] = restitution_of_hit(c, x, k, x->before[x->first[k]], 0);
+    for (int32_t k = 0; k < x->law.contacts; k++)
+        x->restitution[k] = restitution_of_hit(c, x, k, x->before[x->first[k]], 0);
     return solve_hit(c, x);
 }
 
@@ -210,13 +237,15 @@ static void end_landing(context *c, const hit *x)
         double *own = contact_of(c, i);
         const int closed = is_closed(c, i);
         own[C_IMPULSE] += x->law.impulse[r] + x->out[r];
-        const int is_hit = x->before[r] < -speed_tolerance(c), in_sequence = is_hit && c->s.head[S_IMPACT_LAW] != 0.0;
+        const int is_hit = x->before[r] < -speed_tolerance(c),
+                  in_sequence = is_hit && c->s.head[S_IMPACT_LAW] != 0.0;
         if (has_landed(touch_of(c, i)) || in_sequence) {
             own[C_IMPACTS] += is_hit ? 1.0 : 0.0;
             c->s.head[S_EVENTS] += 1.0;
         }
         open_contact(c, i);
-        if (!(gap_rate(c, i) > speed_tolerance(c))) close_contact_at(c, i, closed ? own[C_REFERENCE] : 0.0);
+        if (!(gap_rate(c, i) > speed_tolerance(c)))
+            close_contact_at(c, i, closed ? own[C_REFERENCE] : 0.0);
     }
 }
 
@@ -231,7 +260,8 @@ static int32_t land(context *c, int32_t island)
     map_hit(c, &x);
     if (!collect_landing(c, &x, island, &taken, &rubbed)) {
         EACH_CONTACT(c, i)
-            if (is_of_island(c, c->m->contact_row[i], island)) touch_of(c, i)->lands = touch_of(c, i)->lands == LANDS ? LANDS_AMONG_MANY : IS_HELD;
+            if (is_of_island(c, c->m->contact_row[i], island))
+                touch_of(c, i)->lands = touch_of(c, i)->lands == LANDS ? LANDS_AMONG_MANY : IS_HELD;
         return HOLONOM_OK;
     }
     memcpy(c->k.rest_modes, c->s.contacts, modes);
@@ -256,7 +286,7 @@ static int32_t land(context *c, int32_t island)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------ without landing */
+/* ------------------------------------------------------------------------------ without landing */
 
 static int island_has_contact(context *c)
 {
@@ -265,7 +295,8 @@ static int island_has_contact(context *c)
     return 0;
 }
 
-/* Rates of rows that are to vanish (in phi): of islands in which a contact is closed and none has landed. Returns whether there are such. */
+/* Rates of rows that are to vanish (in phi): of islands in which a contact is closed and none has
+   landed. Returns whether there are such. */
 static int rates_to_stop(context *c)
 {
     int holds = 0;
@@ -283,7 +314,8 @@ static int rates_to_stop(context *c)
     return holds;
 }
 
-/* Adds x to the velocities and books what its impulses (in mu) take; the rest of the change of energy is work. */
+/* Adds x to the velocities and books what its impulses (in mu) take; the rest of the change of
+   energy is work. */
 static void add_velocities(context *c, const double *x, int driven)
 {
     const holonom_model *m = c->m;
@@ -299,7 +331,8 @@ static void add_velocities(context *c, const double *x, int driven)
                 friction += 0.5 * c->k.mu[row] * rate[row];
             }
         EACH_ROW(c, i) total += 0.5 * c->k.mu[i] * rate[i];
-        for (int32_t k = 0; k < DIM * m->n_free && !side; k++) hm_add(c->s.v + k, c->s.v_low + k, x[k]);
+        for (int32_t k = 0; k < DIM * m->n_free && !side; k++)
+            hm_add(c->s.v + k, c->s.v_low + k, x[k]);
     }
     const double loss = driven ? total : -before;
     book(c, S_FRICTION, friction);
@@ -312,7 +345,9 @@ static int stop_reversed(context *c)
 {
     int stops = 0;
     EACH_FRICTION(c, f) {
-        if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f) || !(slip_along(c, f) < -speed_tolerance(c))) continue;
+        if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)
+            || !(slip_along(c, f) < -speed_tolerance(c)))
+            continue;
         if (!is_of_contact(c, f)) {
             guess_friction(c, f);
             continue;
@@ -323,13 +358,15 @@ static int stop_reversed(context *c)
     return stops;
 }
 
-/* Lets frictions slide on that would be stopped by a larger impulse (in mu) than that of their cones in the half step: at a dead centre, where
-   the mechanism hardly slips however fast it moves. Returns whether there are such.                               */
+/* Lets frictions slide on that would be stopped by a larger impulse (in mu) than that of their
+   cones in the half step: at a dead centre, where the mechanism hardly slips however fast it moves.
+   Returns whether there are such. */
 static int tear_loose_in_step(context *c)
 {
     int tears = 0;
     EACH_FRICTION(c, f) {
-        if (friction_mode(c, f) != FRICTION_STICKS || !(slip_of(c, f, NULL) > speed_tolerance(c))) continue;
+        if (friction_mode(c, f) != FRICTION_STICKS || !(slip_of(c, f, NULL) > speed_tolerance(c)))
+            continue;
         const double impulse = cone(c, f, 0, normal_force(c, f, c->k.event_mu) / c->h) * c->h;
         if (!(friction_force(c, f, c->k.mu, NULL) > 2.0 * impulse)) continue;
         guess_friction(c, f);
@@ -338,11 +375,14 @@ static int tear_loose_in_step(context *c)
     return tears;
 }
 
-/* Adds to velocities that stop, whose impulses are in mu, those with which contacts that land among many part. */
+/* Adds to velocities that stop, whose impulses are in mu, those with which contacts that land among
+   many part. */
 static void add_parting(context *c, double *stop)
 {
     const int32_t n = DIM * c->n_moving, rows = c->m->n_rows;
-    double *part = c->k.free, lost = -mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop), given = 0.0, all = 0.0;
+    double *part = c->k.free,
+           lost = -mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop), given = 0.0,
+           all = 0.0;
     memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)rows);
     memset(c->k.phi, 0, sizeof(double) * (size_t)rows);
     EACH_CONTACT(c, i) {
@@ -363,7 +403,8 @@ static void add_parting(context *c, double *stop)
     velocities_for(c, part);
     const double curved = 0.5 * mass_product(c, part, part), back = given / all * fmax(lost, 0.0);
     const double linear = mass_product(c, part, c->s.v) + mass_product(c, part, stop);
-    const double root = linear + sqrt(fmax(linear * linear + 4.0 * curved * back, 0.0)), f = root > 0.0 ? 2.0 * back / root : 0.0;
+    const double root = linear + sqrt(fmax(linear * linear + 4.0 * curved * back, 0.0)),
+                 f = root > 0.0 ? 2.0 * back / root : 0.0;
     for (int32_t k = 0; k < n; k++) stop[k] += f * part[k];
     for (int32_t i = 0; i < rows; i++) c->k.mu[i] = c->k.event_mu[i] + f * c->k.mu[i];
 }
@@ -399,7 +440,7 @@ static int32_t hold(context *c, int slips_alone)
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------ both */
+/* ----------------------------------------------------------------------------------------- both */
 
 static int32_t change_velocities(context *c)
 {
@@ -409,7 +450,8 @@ static int32_t change_velocities(context *c)
     const int deferred = c->defers_friction;
     c->defers_friction = 0;
     for (int32_t i = 0; i < c->m->n_contacts && deferred; i++)
-        if (is_closed(c, i) && c->m->contact_friction[i] >= 0) guess_friction(c, c->m->contact_friction[i]);
+        if (is_closed(c, i) && c->m->contact_friction[i] >= 0)
+            guess_friction(c, c->m->contact_friction[i]);
     for (int32_t island = 0; island < c->m->n_islands && !status; island++)
         if (is_hit(c, island)) status = land(c, island);
     if (!status) status = hold(c, 0);

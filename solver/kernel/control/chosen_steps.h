@@ -4,8 +4,9 @@
 
 #include "internal.h"
 
-/* Tolerance of a run, or 0 for equal steps. That of an importer may be tighter than what is set, and neither loosens it nor turns
-   equal steps into others: many importers pass one that nobody chose. */
+/* Tolerance of a run, or 0 for equal steps. That of an importer may be tighter than what is set,
+   and neither loosens it nor turns equal steps into others: many importers pass one that nobody
+   chose. */
 static inline double hm_tolerance(const double *head)
 {
     const double own = HOLONOM_CHOSEN_TOLERANCE(head), host = head[S_HOST_TOLERANCE];

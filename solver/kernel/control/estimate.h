@@ -1,55 +1,63 @@
 /* What a step adds to the error of a run (theory 8.6).
 
-   The difference from a solution of lower order r, e ~ (omega h)^(r+1), tells how fast the motion changes, and with it the error
-   of the step's own order p, (omega h)^(p+1) times a mean over mechanisms. Of explicit steps that solution has other weights, of
-   weighted covers it has all but the coarsest one. Pairs have none: the rate of their accelerations tells. */
+   The difference from a solution of lower order r, e ~ (omega h)^(r+1), tells how fast the motion
+   changes, and with it the error of the step's own order p, (omega h)^(p+1) times a mean over
+   mechanisms. Of explicit steps that solution has other weights, of weighted covers it has all but
+   the coarsest one. Pairs have none: the rate of their accelerations tells. */
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
 #include "coarseness.h"
 #include "step_halving.h"
 
-/* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings, and of what strong dampers
-   settle, which no cover resolves. */
+/* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that
+   swings, and of what strong dampers settle, which no cover resolves. */
 #define FALL 4.6
 #define SETTLING 50.0
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
-/* Error of velocities of parts that stiff springs or dampers hold, and that follow a force: of a pair over h^2 times the rate of
-   accelerations, of a cover of order 4 over its difference. It is there at the end of each step, and does not add up. */
+/* Error of velocities of parts that stiff springs or dampers hold, and that follow a force: of a
+   pair over h^2 times the rate of accelerations, of a cover of order 4 over its difference. It is
+   there at the end of each step, and does not add up. */
 #define SLAVED 0.3
 #define SLAVED_COVER 0.5
-/* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of the step before: a force has jumped
-   within the step, and no difference before it tells. */
+/* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of
+   the step before: a force has jumped within the step, and no difference before it tells. */
 #define AT_A_JUMP 1.0
 #define SUDDEN 1.5
-/* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it precesses, the step errs by
-   its spin. */
+/* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it
+   precesses, the step errs by its spin. */
 #define SPINNING 2.0
 
 /* A step of order p. */
 typedef struct method {
     enum method_kind kind;
-    int order;         /* p                                                                                   */
-    double lower;      /* r                                                                                   */
-    double rate, mean; /* omega h over e^(1/(r+1)), and error over (omega h)^(p+1): means over mechanisms      */
-    double round_off;  /* of the difference: the norm of the weights times that of a solved step              */
-    double fastest;    /* largest omega h at which Newton's iteration still converges well                    */
-    double solutions;  /* half steps in it, or stages                                                         */
+    int order;         /* p */
+    double lower;      /* r */
+    double rate,
+        mean; /* omega h over e^(1/(r+1)), and error over (omega h)^(p+1): means over mechanisms */
+    double round_off;  /* of the difference: the norm of the weights times that of a solved step */
+    double fastest;    /* largest omega h at which Newton's iteration still converges well */
+    double solutions;  /* half steps in it, or stages */
 } method;
 
-/* The rates of explicit ones are of a spring that swings, their errors between those of all scenes. */
-static const method METHODS[] = {{COMPOSED, 2, 2.0, 1.0, 1.1e-2, 1e-13, 1.0, 2.0},   {COVERED, 4, 2.0, 4.9, 2.4e-3, 1e-14, 1.0, 6.0},
-                                 {COVERED, 6, 4.0, 5.9, 3e-5, 1e-14, 1.5, 12.0},     {COVERED, 8, 6.0, 6.2, 7e-7, 1e-14, 2.0, 20.0},
-                                 {EXPLICIT, 5, 4.0, 5.3, 2.5e-4, 1e-14, 2.0, 6.0},   {EXPLICIT, 8, 7.0, 6.2, 5e-8, 1e-14, 4.0, 12.0}};
+/* The rates of explicit ones are of a spring that swings, their errors between those of all
+   scenes. */
+static const method METHODS[] = {{COMPOSED, 2, 2.0, 1.0, 1.1e-2, 1e-13, 1.0, 2.0},
+                                 {COVERED, 4, 2.0, 4.9, 2.4e-3, 1e-14, 1.0, 6.0},
+                                 {COVERED, 6, 4.0, 5.9, 3e-5, 1e-14, 1.5, 12.0},
+                                 {COVERED, 8, 6.0, 6.2, 7e-7, 1e-14, 2.0, 20.0},
+                                 {EXPLICIT, 5, 4.0, 5.3, 2.5e-4, 1e-14, 2.0, 6.0},
+                                 {EXPLICIT, 8, 7.0, 6.2, 5e-8, 1e-14, 4.0, 12.0}};
 enum { N_METHODS = sizeof METHODS / sizeof *METHODS };
 
 typedef struct step_error {
-    double rate;  /* omega [1/s]                                                            */
-    double free;  /* likewise of what rows leave free                                       */
-    double mean;  /* error, relative to size and speed                                      */
-    double settled; /* likewise of what strong dampers settle: it is gone with the step, and does not add up  */
-    int is_noise; /* whether round-off of velocities is all that the difference shows       */
+    double rate;  /* omega [1/s] */
+    double free;  /* likewise of what rows leave free */
+    double mean;  /* error, relative to size and speed */
+    double settled; /* likewise of what strong dampers settle: it is gone with the step, and does
+                       not add up */
+    int is_noise; /* whether round-off of velocities is all that the difference shows */
 } step_error;
 
 /* Steps of an order that are explicit, or not; of half steps where only these have the order. */
@@ -61,7 +69,8 @@ static const method *method_of(int order, int is_explicit)
     return found;
 }
 
-/* Square of the angular velocity of a body from the rates of its first director, or of three: |omega x d_1|^2 + ... = 2 omega^2. */
+/* Square of the angular velocity of a body from the rates of its first director, or of three:
+   |omega x d_1|^2 + ... = 2 omega^2. */
 static inline double square_of_turn(const double *rate)
 {
     double square = 0.0;
@@ -78,7 +87,8 @@ static int find_rate_of_pairs(context *c, double h)
     double *rate = c->k.estimate;
     c->s.head[S_LAST_LENGTH] = h;
     if (c->s.head[S_KNOWN] < 4.0) return 0;
-    for (int64_t k = 0; k < n; k++) rate[k] = 0.5 * ((a[0][k] - before[0][k]) + (a[1][k] - before[1][k])) / between;
+    for (int64_t k = 0; k < n; k++)
+        rate[k] = 0.5 * ((a[0][k] - before[0][k]) + (a[1][k] - before[1][k])) / between;
     return 1;
 }
 
@@ -107,22 +117,25 @@ static double way_of(const context *c, int32_t a)
     return sqrt(square);
 }
 
-/* Largest change of acceleration of a place (x[0]) and of a body's turn (x[1]) among free nodes. An error where a path bends sharply
-   turns all of the path, and so counts by half its reach over that bend's radius, v^1.5/rate^0.5. */
+/* Largest change of acceleration of a place (x[0]) and of a body's turn (x[1]) among free nodes. An
+   error where a path bends sharply turns all of the path, and so counts by half its reach over that
+   bend's radius, v^1.5/rate^0.5. */
 static void largest_rates(context *c, const double *rate, double *x)
 {
     double *reach = c->s.head + S_REACH;
     x[0] = x[1] = 0.0;
     for (int32_t a = 0; a < c->m->n_free; a++) {
         if (c->m->node_kind[a] || c->s.freedom[a] == 0.0) continue;
-        const double of_a = sqrt(dot(rate + DIM * a, rate + DIM * a)), speed = sqrt(dot(c->s.v + DIM * a, c->s.v + DIM * a));
+        const double of_a = sqrt(dot(rate + DIM * a, rate + DIM * a)),
+                     speed = sqrt(dot(c->s.v + DIM * a, c->s.v + DIM * a));
         *reach = fmax(*reach, way_of(c, a));
         const double times = 0.5 * *reach * sqrt(of_a) / fmax(speed * sqrt(speed), 1e-300);
         x[0] = fmax(x[0], of_a * fmin(fmax(times, 1.0), LONGEST_LEVER));
     }
     for (int32_t b = 0; b < n_bodies(c->m); b++) {
         const int32_t a = c->m->body_node[b];
-        if (a < c->m->n_free && c->s.freedom[a] != 0.0) x[1] = fmax(x[1], sqrt(square_of_turn(rate + DIM * a)));
+        if (a < c->m->n_free && c->s.freedom[a] != 0.0)
+            x[1] = fmax(x[1], sqrt(square_of_turn(rate + DIM * a)));
     }
 }
 
@@ -143,7 +156,9 @@ HM_SELDOM static void look_at_step(context *c, double h, double look)
     head[S_LOOKS] += 1.0;
     head[S_PLACE_ERROR] += head[S_LEAST_PLACE];
     head[S_ANGLE_ERROR] += head[S_LEAST_ANGLE];
-    judge_coarseness(c, h, hm_error_of_path(head, c->number[c->m->extent_at], head[S_EQUAL_STEPS]) / MOST_OF_THE_PATH);
+    judge_coarseness(c, h,
+                     hm_error_of_path(head, c->number[c->m->extent_at], head[S_EQUAL_STEPS])
+                         / MOST_OF_THE_PATH);
 }
 
 HM_SELDOM static void turn_further(context *c, double h, int32_t node, double square)
@@ -163,19 +178,23 @@ HM_OFTEN void follow_coarseness(context *c, double h)
         if (square > head[S_TURNED]) turn_further(c, h, a, square);
     }
     head[S_EQUAL_STEPS] += 1.0;
-    if (is_unilateral(c->m) || head[S_ORDER_IN_USE] > 2.0) return; /* impacts would count for steps that have none */
-    const double look = head[S_EQUAL_STEPS] - STEPS_A_LOOK * floor(head[S_EQUAL_STEPS] / STEPS_A_LOOK);
+    if (is_unilateral(c->m) || head[S_ORDER_IN_USE] > 2.0)
+        return; /* impacts would count for steps that have none */
+    const double look =
+        head[S_EQUAL_STEPS] - STEPS_A_LOOK * floor(head[S_EQUAL_STEPS] / STEPS_A_LOOK);
     if (look >= FIRST_LOOK && look <= LAST_LOOK) look_at_step(c, h, look);
     else head[S_LAST_LENGTH] = h;
 }
 
-/* Whether dampers are too strong for explicit steps: what they settle within a step falls little with the order. */
+/* Whether dampers are too strong for explicit steps: what they settle within a step falls little
+   with the order. */
 static int has_strong_dampers(const context *c)
 {
     return c->damped && c->s.head[S_LONGEST_EXPLICIT] == 0.0 && may_step_explicitly(c);
 }
 
-/* Largest of what functions and drivers read, an angle of many turns or a place far away, over 1 rad and the size: they round it. */
+/* Largest of what functions and drivers read, an angle of many turns or a place far away, over 1
+   rad and the size: they round it. */
 HM_SELDOM static double largest_reading(const context *c)
 {
     const double size = c->number[c->m->extent_at];
@@ -187,8 +206,8 @@ HM_SELDOM static double largest_reading(const context *c)
     return largest;
 }
 
-/* Whether round-off explains a difference between steps of length h. Velocities are only known to round-off of places over
-   h: shorter steps would show more of it, not less error.                                                        */
+/* Whether round-off explains a difference between steps of length h. Velocities are only known to
+   round-off of places over h: shorter steps would show more of it, not less error. */
 static int is_noise(const context *c, double round_off, double difference, double h)
 {
     const double shown = c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300));
@@ -206,48 +225,60 @@ static int estimate_error(context *c, double h, step_error *e)
     else if (c->last.method == COVERED) difference = motion_error(c, x);
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     e->is_noise = is_noise(c, used->round_off, difference, h);
-    if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after so many pairs */
+    if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after
+                             so many pairs */
         e->mean = difference;
-        e->rate = e->free = hm_pow(difference * c->last.finest * c->last.finest / pair->mean, 1.0 / 3.0) / h;
+        e->rate = e->free =
+            hm_pow(difference * c->last.finest * c->last.finest / pair->mean, 1.0 / 3.0) / h;
         return 1;
     }
-    const double part = c->last.method == EXPLICIT ? c->last.free_part : 1.0, root = 1.0 / (used->lower + 1.0);
-    const double turned = used->rate * hm_pow(difference, root), freed = part == 1.0 ? turned : used->rate * hm_pow(part * difference, root);
+    const double part = c->last.method == EXPLICIT ? c->last.free_part : 1.0,
+                 root = 1.0 / (used->lower + 1.0);
+    const double turned = used->rate * hm_pow(difference, root),
+                 freed = part == 1.0 ? turned : used->rate * hm_pow(part * difference, root);
     e->free = freed / h;
     e->rate = turned / h;
-    if (c->last.method == EXPLICIT) e->rate = fmax(e->rate, mass_norm(c, c->s.a[0]) / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
+    if (c->last.method == EXPLICIT)
+        e->rate = fmax(e->rate, mass_norm(c, c->s.a[0])
+                                    / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
     e->mean = used->mean * (order == 2 ? freed * freed * freed : hm_pow(freed, order + 1));
     const double before_it = c->s.head[S_LAST_RATE];
     const int is_settled = has_strong_dampers(c);
-    const int is_slaved = c->last.method != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
-    if (c->last.method == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
+    const int is_slaved =
+        c->last.method != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
+    if (c->last.method == COVERED && order > 4) { /* differences fall from order to order, and the
+                                                     error falls as much once more */
         const double before = motion_error(c, x + c->s.n_motion);
         const double next = difference * difference / hm_hypot(difference, before);
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
-    else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m)) && e->rate > SUDDEN * before_it) e->mean = fmax(e->mean, AT_A_JUMP * difference);
-    if (is_slaved && order == 2) e->settled = SLAVED * h * h * error_norm(c, c->k.estimate) / fmax(speed_scale(c), 1e-300);
+    else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m)) && e->rate > SUDDEN * before_it)
+        e->mean = fmax(e->mean, AT_A_JUMP * difference);
+    if (is_slaved && order == 2)
+        e->settled = SLAVED * h * h * error_norm(c, c->k.estimate) / fmax(speed_scale(c), 1e-300);
     if (is_slaved && order == 4) e->settled = SLAVED_COVER * difference;
     e->mean *= c->last.growth;
-    if (c->last.method == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
+    if (c->last.method == EXPLICIT)
+        e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;
 }
 
-/* Bounds on what a step adds to velocities across the rows, over the fastest velocity: ACROSS_ROWS times the tolerance,
-   and NEGLIGIBLE_ACROSS_ROWS, below which nothing is done. Such velocities alternate from half step to half step:
-   shorter steps that follow do not undo them. */
+/* Bounds on what a step adds to velocities across the rows, over the fastest velocity: ACROSS_ROWS
+   times the tolerance, and NEGLIGIBLE_ACROSS_ROWS, below which nothing is done. Such velocities
+   alternate from half step to half step: shorter steps that follow do not undo them. */
 #define ACROSS_ROWS 10.0
 #define NEGLIGIBLE_ACROSS_ROWS 1e-6
 
-/* Largest rate of a row over its scale and the fastest motion, without what round-off of places over h explains. Errors in
-   the mass norm do not see light parts: their velocities show here. Rows of drivers have rates of signals, which are
-   differences and tell nothing at a kink.                                                                       */
+/* Largest rate of a row over its scale and the fastest motion, without what round-off of places
+   over h explains. Errors in the mass norm do not see light parts: their velocities show here. Rows
+   of drivers have rates of signals, which are differences and tell nothing at a kink. */
 HM_SELDOM static double velocity_defect(context *c, double h)
 {
     const holonom_model *m = c->m;
-    const double fastest = fmax(speed_scale(c) / c->number[m->extent_at + 1], fastest_rate(c, c->s.v));
+    const double fastest =
+        fmax(speed_scale(c) / c->number[m->extent_at + 1], fastest_rate(c, c->s.v));
     if (!(fastest > 0.0)) return 0.0;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);

@@ -1,19 +1,22 @@
-/* Events: steps with contacts as they are, cut where a gap closes, a normal force vanishes, slip stops or friction gives way.
+/* Events: steps with contacts as they are, cut where a gap closes, a normal force vanishes, slip
+   stops or friction gives way.
 
-   After a step the earliest zero of the functions of contacts and frictions (event_functions.h) is sought by the cubics through
-   their values and rates at both ends (event_roots.h); every trial is the whole step anew, of the length tried, so that an accepted
-   one is a step like any other.                                                                                  */
+   After a step the earliest zero of the functions of contacts and frictions (event_functions.h) is
+   sought by the cubics through their values and rates at both ends (event_roots.h); every trial is
+   the whole step anew, of the length tried, so that an accepted one is a step like any other. */
 #ifndef HOLONOM_EVENT_H
 #define HOLONOM_EVENT_H
 
 #include "event_roots.h"
 
-/* A normal force above this part of its mean and of what it was at the start of the piece, and a friction that leaves this part of
-   its cone, change no mode in the piece: forces at the state need not be evaluated. */
+/* A normal force above this part of its mean and of what it was at the start of the piece, and a
+   friction that leaves this part of its cone, change no mode in the piece: forces at the state need
+   not be evaluated. */
 #define SAFE_NORMAL 0.3
 #define SAFE_FRICTION 0.2
-/* Likewise gaps farther than this many times the way of the fastest node, and slips larger than this many times their own
-   change: two sides may approach each other, and speeds may double in the piece.                                 */
+/* Likewise gaps farther than this many times the way of the fastest node, and slips larger than
+   this many times their own change: two sides may approach each other, and speeds may double in the
+   piece. */
 #define SAFE_WAYS 4.0
 
 /* Whether multipliers are those of the half steps before. */
@@ -25,25 +28,30 @@ static int forces_stand_still(const context *c)
     return 1;
 }
 
-/* Where in a piece of length h from time t a force falls below the part of its larger value at both ends that is safe, and that of which
-   function (`which`) falls deepest; 0 if none does. */
-static double find_dip(const context *c, double t, double h, event_values low, event_values high, int32_t *which)
+/* Where in a piece of length h from time t a force falls below the part of its larger value at both
+   ends that is safe, and that of which function (`which`) falls deepest; 0 if none does. */
+static double find_dip(const context *c, double t, double h, event_values low, event_values high,
+                       int32_t *which)
 {
     double deepest = SAFE_NORMAL, place = 0.0;
     if (has_shares(c)) return 0.0; /* no force of theirs vanishes by itself */
     for (int32_t k = 0; (k = next_function(c, k)) < c->m->n_contacts + c->m->n_frictions; k++) {
-        const int is_on = k < c->m->n_contacts ? is_closed(c, k) : friction_mode(c, k - c->m->n_contacts) == FRICTION_STICKS;
+        const int is_on = k < c->m->n_contacts
+                              ? is_closed(c, k)
+                              : friction_mode(c, k - c->m->n_contacts) == FRICTION_STICKS;
         if (!is_on) continue;
         double y[3] = {low.value[k], NAN, high.value[k]};
         const double largest = fmax(y[0], y[2]), lowest = lowest_margin(c, k, t, h, y);
-        if (lowest == lowest && largest > value_tolerance(c, k) && y[1] < deepest * largest) deepest = y[1] / largest, place = lowest, *which = k;
+        if (lowest == lowest && largest > value_tolerance(c, k) && y[1] < deepest * largest)
+            deepest = y[1] / largest, place = lowest, *which = k;
     }
     return place;
 }
 
-/* Whether a slip in space has not stopped in a piece of length h, at whose start it was v0, with the rate r0, and at whose end it is v1:
-   the parabola through these keeps a good part of the lesser one. `rate` is the mean rate on entry and that at the end on return, by
-   which a stop within two more pieces is foreseen. */
+/* Whether a slip in space has not stopped in a piece of length h, at whose start it was v0, with
+   the rate r0, and at whose end it is v1: the parabola through these keeps a good part of the
+   lesser one. `rate` is the mean rate on entry and that at the end on return, by which a stop
+   within two more pieces is foreseen. */
 #define SAFE_SLIP 0.5
 #define FORESEEN 2.0
 
@@ -55,7 +63,8 @@ static int is_quiet_slip(double h, double v0, double r0, double v1, double *rate
     return lesser > 0.0 && lowest > SAFE_SLIP * lesser && v1 > -FORESEEN * h * *rate;
 }
 
-/* Rates of open gaps where a quiet piece ends: under a tolerance the next one may be far longer, and a gap may close and open in it. */
+/* Rates of open gaps where a quiet piece ends: under a tolerance the next one may be far longer,
+   and a gap may close and open in it. */
 static void find_gap_rates(context *c, event_values x)
 {
     int is_evaluated = 0;
@@ -67,9 +76,9 @@ static void find_gap_rates(context *c, event_values x)
     }
 }
 
-/* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
-   two means extrapolate; `reach` are SAFE_WAYS of the fastest node. Returns 0, with x not to be used, if that leaves doubt whether an
-   event has passed.                                                                                              */
+/* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from
+   multipliers that the last two means extrapolate; `reach` are SAFE_WAYS of the fastest node.
+   Returns 0, with x not to be used, if that leaves doubt whether an event has passed. */
 static int is_quiet(context *c, double h, double reach, event_values low, event_values x)
 {
     const holonom_model *m = c->m;
@@ -88,7 +97,8 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
         if (is_closed(c, i)) {
             const double mean = -c->s.mean[row_of(c, m->contact_row[i])];
             x.value[i] = normal_of(c, i);
-            if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i]))) return 0;
+            if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i])))
+                return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
         else c->may_fall_asleep |= is_far_enough(c, i, x.value[i]);
     }
@@ -107,7 +117,9 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
                 if (!is_quiet_slip(h, low.value[k], low.rate[k], x.value[k], x.rate + k)) return 0;
                 continue;
             }
-            const double change = SAFE_WAYS * h * fmax(fabs(x.rate[k]), low.rate[k] == low.rate[k] ? fabs(low.rate[k]) : 0.0);
+            const double change =
+                SAFE_WAYS * h
+                * fmax(fabs(x.rate[k]), low.rate[k] == low.rate[k] ? fabs(low.rate[k]) : 0.0);
             if (!(x.value[k] > change && low.value[k] > change)) return 0;
         }
     }
@@ -124,16 +136,20 @@ static int32_t step_piece(context *c, double h)
 }
 
 /* State at the start of the piece at hand. */
-static const double *start_of_piece(const context *c) { return c->event.divided ? c->k.event_backup : c->k.pair_backup; }
+static const double *start_of_piece(const context *c)
+{ return c->event.divided ? c->k.event_backup : c->k.pair_backup; }
 
-HM_SELDOM static void undo_piece(context *c, double t, double law_time) { restore_state(c, start_of_piece(c), t, law_time); }
+HM_SELDOM static void undo_piece(context *c, double t, double law_time)
+{ restore_state(c, start_of_piece(c), t, law_time); }
 
-/* Finds the first event of a piece of length h from time t, whose functions at both ends are known, and leaves the state
-   there; `covered` is its time, h if there is none. */
-HM_SELDOM static int32_t find_event(context *c, double t, double law_time, double h, double *covered)
+/* Finds the first event of a piece of length h from time t, whose functions at both ends are known,
+   and leaves the state there; `covered` is its time, h if there is none. */
+HM_SELDOM static int32_t find_event(context *c, double t, double law_time, double h,
+                                    double *covered)
 {
     const int32_t n = c->m->n_contacts + c->m->n_frictions;
-    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH), at = values_at(c, AT_TRIAL);
+    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH),
+                       at = values_at(c, AT_TRIAL);
     const double least = 4e-16 * (fabs(t) + h);
     double begin = 0.0, end = h, last = INFINITY;
     int is_open = 1; /* whether no function is known to be negative at `end` */
@@ -147,7 +163,8 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
             const double root = root_between(c, k, width, trial > 0, low, high);
             if (root < first) first = root, which = k;
         }
-        if (which < 0 && trial == 0 && (first = find_dip(c, t, h, low, high, &which)) == 0.0) return HOLONOM_OK;
+        if (which < 0 && trial == 0 && (first = find_dip(c, t, h, low, high, &which)) == 0.0)
+            return HOLONOM_OK;
         /* What a trial showed at `end` counts as 0 by the forces at `begin`. */
         const int is_end = which < 0 && !is_open;
         if (is_end) first = width, which = c->event.function;
@@ -162,7 +179,8 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
             if (status) return status;
             continue;
         }
-        blame(c, which < c->m->n_contacts ? c->m->contact_row[which] : slip_row(c, which - c->m->n_contacts, 0));
+        blame(c, which < c->m->n_contacts ? c->m->contact_row[which]
+                                          : slip_row(c, which - c->m->n_contacts, 0));
         if (width > 0.5 * last && trial % 3 == 2) first = 0.5 * width; /* one end does not move */
         last = width;
         *covered = fmin(begin + fmax(first, fmin(least, 0.5 * width)), end);
@@ -175,7 +193,8 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
         if (is_end || (at.value[which] <= value_tolerance(c, which) && !is_late)) return HOLONOM_OK;
         if (width <= 2.0 * least) return HOLONOM_OK;
         /* A gap that comes close and grows here again is lowest before. */
-        const int has_passed = is_open && high.rate[which] > 0.0 && at.rate[which] > 0.0 && low.rate[which] < 0.0;
+        const int has_passed =
+            is_open && high.rate[which] > 0.0 && at.rate[which] > 0.0 && low.rate[which] < 0.0;
         copy_values(c, at, is_late || has_passed ? high : low);
         if (is_late || has_passed) end = *covered;
         else begin = *covered;
@@ -191,9 +210,10 @@ static int has_ended(const context *c, int32_t k)
 
 #define FAR_MORE 100.0
 
-/* Lets friction f stick, whose slip has ended, and takes what is left of it: slips have the rates that a step leaves of its rows. At a
-   dead centre, where the mechanism hardly slips however fast it moves, that would take much of its energy, far more than
-   frictions do at their cones in the time that the slip has left. It slides on then.                              */
+/* Lets friction f stick, whose slip has ended, and takes what is left of it: slips have the rates
+   that a step leaves of its rows. At a dead centre, where the mechanism hardly slips however fast
+   it moves, that would take much of its energy, far more than frictions do at their cones in the
+   time that the slip has left. It slides on then. */
 HM_SELDOM static int32_t stop_slip(context *c, int32_t f)
 {
     const event_values at = values_at(c, AT_TRIAL);
@@ -201,18 +221,21 @@ HM_SELDOM static int32_t stop_slip(context *c, int32_t f)
     double force = 0.0, taken = 0.0;
     for (int32_t g = 0, k = c->m->n_contacts; g < c->m->n_frictions; g++, k++) {
         const double normal = normal_force(c, g, c->k.event_mu);
-        if (at.rate[k] < 0.0 && has_ended(c, k)) force += cone(c, g, 0, normal) + cone(c, g, 1, normal);
+        if (at.rate[k] < 0.0 && has_ended(c, k))
+            force += cone(c, g, 0, normal) + cone(c, g, 1, normal);
     }
     let_stick(c, f);
     const int32_t status = find_disallowed(c);
     if (status) return status;
     EACH_ROW(c, i) taken += 0.5 * c->k.mu[i] * c->k.phi[i];
-    if (slip > speed_tolerance(c) && taken * -growth > FAR_MORE * 0.5 * force * slip * slip) friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
+    if (slip > speed_tolerance(c) && taken * -growth > FAR_MORE * 0.5 * force * slip * slip)
+        friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
     else take_disallowed(c, S_FRICTION);
     return HOLONOM_OK;
 }
 
-/* Changes the modes that have ended: contacts without force open, frictions at their cones slide, those without slip stick. */
+/* Changes the modes that have ended: contacts without force open, frictions at their cones slide,
+   those without slip stick. */
 HM_SELDOM static int32_t change_modes(context *c)
 {
     const holonom_model *m = c->m;
@@ -221,7 +244,8 @@ HM_SELDOM static int32_t change_modes(context *c)
         if (status) return status;
     }
     for (int32_t i = 0; i < m->n_contacts; i++)
-        if (is_closed(c, i) && has_ended(c, i)) open_contact(c, i), contact_of(c, i)[C_PARTED] = 1.0;
+        if (is_closed(c, i) && has_ended(c, i))
+            open_contact(c, i), contact_of(c, i)[C_PARTED] = 1.0;
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
         const int mode = friction_mode(c, f);
         double along[3];
@@ -257,7 +281,8 @@ HM_SELDOM static int32_t settle(context *c)
     return status;
 }
 
-/* New modes after a change of inputs or parameters. Rates that closed contacts still have are no approach. */
+/* New modes after a change of inputs or parameters. Rates that closed contacts still have are no
+   approach. */
 HM_SELDOM static int32_t settle_changes(context *c)
 {
     keep_start(c);
@@ -266,9 +291,10 @@ HM_SELDOM static int32_t settle_changes(context *c)
     return status ? status : settle(c);
 }
 
-/* Slip in space turns fast just before it stops, and passes through 0 along no direction known before. A piece ends
-   before the time at which the slip would stop at its present rate: a tenth of that time is left, so that pieces are as short
-   as the motion is fast and orders above 2 hold. A SLIP_LEFT part of the speed of the mechanism counts as none.   */
+/* Slip in space turns fast just before it stops, and passes through 0 along no direction known
+   before. A piece ends before the time at which the slip would stop at its present rate: a tenth of
+   that time is left, so that pieces are as short as the motion is fast and orders above 2 hold. A
+   SLIP_LEFT part of the speed of the mechanism counts as none. */
 #define SLIP_LEFT 1e-7
 #define BEFORE_STOP 0.9
 
@@ -277,14 +303,16 @@ static double length_before_stop(const context *c, double length)
     const event_values low = values_at(c, AT_LOW);
     EACH_FRICTION(c, f) {
         const int32_t k = c->m->n_contacts + f;
-        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0 && low.value[k] >= 0.0)
+        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0
+            && low.value[k] >= 0.0)
             length = fmin(length, BEFORE_STOP * low.value[k] / -low.rate[k]);
     }
     return length;
 }
 
-/* Shortens the piece to come, of this length, where a slip is about to stop. Rates that rows still have, of directors that
-   turn, are part of the slip that the velocities show, and would be more than what is left of it.                 */
+/* Shortens the piece to come, of this length, where a slip is about to stop. Rates that rows still
+   have, of directors that turn, are part of the slip that the velocities show, and would be more
+   than what is left of it. */
 static int32_t stop_before(context *c, double *length)
 {
     const double whole = *length;
@@ -296,10 +324,11 @@ static int32_t stop_before(context *c, double *length)
     return status;
 }
 
-/* Friction turns a slip in space that is smaller than what it changes in a step faster than the slip grows: in parts of a
-   step that go back in time the direction then runs away. Where sliding begins, pieces of orders above 2 are as short as
-   the slip is small, and the first ones, this part of a step, are of order 2, which has no such parts. Returns 1 if
-   the piece to come is one of these, and shortens its length. */
+/* Friction turns a slip in space that is smaller than what it changes in a step faster than the
+   slip grows: in parts of a step that go back in time the direction then runs away. Where sliding
+   begins, pieces of orders above 2 are as short as the slip is small, and the first ones, this part
+   of a step, are of order 2, which has no such parts. Returns 1 if the piece to come is one of
+   these, and shortens its length. */
 #define FIRST_PIECE 0.015625
 
 static int begins_to_slide(const context *c, double *length)
@@ -309,23 +338,28 @@ static int begins_to_slide(const context *c, double *length)
     double most = INFINITY;
     if (!c->sliding || !(c->s.head[S_ORDER_IN_USE] > 2.0)) return 0;
     for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++) {
-        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || low.rate[k] < 0.0) continue;
+        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || low.rate[k] < 0.0)
+            continue;
         const double force = fabs(cone(c, f, 1, normal_force(c, f, c->k.event_mu)));
-        most = fmin(most, low.value[k] / (force * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))]));
+        most = fmin(most,
+                    low.value[k]
+                        / (force * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))]));
     }
     if (!(most < *length)) return 0;
     *length = fmin(*length, fmax(most, shortest));
     return !(most > shortest);
 }
 
-/* Directions of slips in space at the end of a piece, whose functions (at) were evaluated last; whether one of them is about to stop. */
+/* Directions of slips in space at the end of a piece, whose functions (at) were evaluated last;
+   whether one of them is about to stop. */
 static int follow_slips(context *c, event_values at)
 {
     int stops = 0;
     EACH_FRICTION(c, f) {
         const int32_t k = c->m->n_contacts + f;
         double along[3];
-        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)) continue;
+        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f))
+            continue;
         const double before = at.value[k];
         at.value[k] = direction_of(n_slips(c, f), c->k.slip_at_end + 3 * f, along);
         if (at.value[k] > 0.0) let_slide(c, f, along);
@@ -337,8 +371,8 @@ static int follow_slips(context *c, event_values at)
     return stops;
 }
 
-/* Whether friction has given no energy over the piece. It gives some where rows that hold the same thing twice share a normal
-   force at will and one of them pulls; the ledger closes even then.                                              */
+/* Whether friction has given no energy over the piece. It gives some where rows that hold the same
+   thing twice share a normal force at will and one of them pulls; the ledger closes even then. */
 static int friction_takes_energy(const context *c)
 {
     const double *start = start_of_piece(c), *head = c->s.head;
@@ -349,7 +383,8 @@ static int friction_takes_energy(const context *c)
 static void value_asleep(const context *c, event_values x)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (is_asleep(c, i)) x.value[i] = value_of_function(c, c->m->contact_row[i], 0), x.rate[i] = NAN;
+        if (is_asleep(c, i))
+            x.value[i] = value_of_function(c, c->m->contact_row[i], 0), x.rate[i] = NAN;
 }
 
 /* No events of contacts that sleep: their functions are infinite. */
@@ -363,7 +398,8 @@ static void forget_asleep(const context *c, event_values x)
     }
 }
 
-/* Cuts a piece of length h from time t, whose step has just been made, at its first event; `covered` is the length that it then has. */
+/* Cuts a piece of length h from time t, whose step has just been made, at its first event;
+   `covered` is the length that it then has. */
 static int32_t cut_piece(context *c, double t, double law_time, double h, double *covered)
 {
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
@@ -372,7 +408,9 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     *covered = h;
     c->event.function = -1;
     follow_travel(c, start_of_piece(c));
-    if (c->near[NEAR_CONTACTS] && !(travel_left(c) > reach)) { /* what moves has become much faster: once more, with all awake */
+    if (c->near[NEAR_CONTACTS]
+        && !(travel_left(c)
+             > reach)) { /* what moves has become much faster: once more, with all awake */
         undo_piece(c, t, law_time);
         value_asleep(c, low);
         wake_all(c);

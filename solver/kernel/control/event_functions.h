@@ -1,5 +1,5 @@
-/* Functions of events: of each contact and each friction one of the state, positive as long as its mode holds. Those at the end of a
-   communication step stand in the state for the next one. */
+/* Functions of events: of each contact and each friction one of the state, positive as long as its
+   mode holds. Those at the end of a communication step stand in the state for the next one. */
 #ifndef HOLONOM_EVENT_FUNCTIONS_H
 #define HOLONOM_EVENT_FUNCTIONS_H
 
@@ -8,7 +8,8 @@
 #include "force_dips.h"
 #include "short_piece.h"
 
-/* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
+/* Values of the functions of contacts, then of frictions, and their rates where they are known,
+   else NaN. */
 typedef struct event_values {
     double *value, *rate;
 } event_values;
@@ -21,7 +22,8 @@ static inline event_values values_at(const context *c, int which)
 
 static inline void copy_values(const context *c, event_values from, event_values to)
 {
-    memcpy(to.value, from.value, sizeof(double) * (size_t)(2 * (c->m->n_contacts + c->m->n_frictions)));
+    memcpy(to.value, from.value,
+           sizeof(double) * (size_t)(2 * (c->m->n_contacts + c->m->n_frictions)));
 }
 
 /* The first function from k on of a contact or friction that is near. */
@@ -46,7 +48,8 @@ static int has_forces(const context *c)
     return 0;
 }
 
-/* Slip of friction f at the state, along the direction in which it slides; its rates are kept, see follow_slips. */
+/* Slip of friction f at the state, along the direction in which it slides; its rates are kept, see
+   follow_slips. */
 static double slip_along(const context *c, int32_t f)
 {
     double *slip = c->k.slip_at_end + 3 * f, sum = 0.0;
@@ -55,9 +58,10 @@ static double slip_along(const context *c, int32_t f)
     return sum;
 }
 
-/* Where contacts and joints hold the same thing twice, none of them ends by itself: the functions of those that stick together are 1
-   less the least factor of their coefficients that would hold them, times their cones, and those of closed ones stay positive. */
-#define SURELY 1e-3 /* of the largest normal force: a function that does not become 0                                 */
+/* Where contacts and joints hold the same thing twice, none of them ends by itself: the functions
+   of those that stick together are 1 less the least factor of their coefficients that would hold
+   them, times their cones, and those of closed ones stay positive. */
+#define SURELY 1e-3 /* of the largest normal force: a function that does not become 0 */
 
 HM_SELDOM static void value_together(context *c, event_values x, double load)
 {
@@ -69,7 +73,8 @@ HM_SELDOM static void value_together(context *c, event_values x, double load)
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         if (!is_stuck(c, f)) continue;
         const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
-        x.value[n + f] = (1.0 + CONE_MARGIN - load) * (is_of_contact(c, f) ? fmax(limit, largest) : limit);
+        x.value[n + f] =
+            (1.0 + CONE_MARGIN - load) * (is_of_contact(c, f) ? fmax(limit, largest) : limit);
     }
 }
 
@@ -81,7 +86,11 @@ HM_SELDOM static int is_outside(const context *c)
         if (is_closed(c, i) && normal_of(c, i) < -none) return 1;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         if (!is_stuck(c, f)) continue;
-        if (excess_of(c, f) > (is_of_contact(c, f) ? none : CONE_MARGIN * cone(c, f, 0, normal_force(c, f, c->k.event_mu)))) return 1;
+        if (excess_of(c, f)
+            > (is_of_contact(c, f)
+                   ? none
+                   : CONE_MARGIN * cone(c, f, 0, normal_force(c, f, c->k.event_mu))))
+            return 1;
     }
     return 0;
 }
@@ -100,12 +109,14 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions && !status; f++, k++) {
         const int mode = friction_mode(c, f);
         x.value[k] = force_margin(c, k, c->k.event_mu), x.rate[k] = NAN;
-        if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
+        if (mode == FRICTION_SLIDES && !is_smooth(c, f))
+            x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
     }
     if (status || !has_forces(c)) return status;
     double load = INFINITY;
     enum togetherness how = NOT_TOGETHER;
-    if (c->event.outside || is_beyond(c, force_tolerance(c))) status = hold_together(c, &how, &load);
+    if (c->event.outside || is_beyond(c, force_tolerance(c)))
+        status = hold_together(c, &how, &load);
     else if (has_shares(c)) {
         status = share_means(c);
         if (!status) status = evaluate_forces(c); /* which the means have overwritten */
@@ -114,7 +125,8 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     return status;
 }
 
-/* Largest square of the vectors x of the moving nodes; directors count times the size of the mechanism. */
+/* Largest square of the vectors x of the moving nodes; directors count times the size of the
+   mechanism. */
 static double largest_square(const context *c, const double *x)
 {
     const double extent2 = hm_square(c->number[c->m->extent_at]);
@@ -122,7 +134,8 @@ static double largest_square(const context *c, const double *x)
     for (int32_t a = 0; a < c->n_moving; a++, x += DIM) {
         double square = dot(x, x);
         if (c->m->node_kind[a]) square *= extent2;
-        if (square > largest) largest = square; /* a call of fmax for each node costs as much as the rest */
+        if (square > largest)
+            largest = square; /* a call of fmax for each node costs as much as the rest */
     }
     return largest;
 }
@@ -135,16 +148,18 @@ HM_SELDOM static double value_tolerance(const context *c, int32_t k)
 {
     const int32_t f = k - c->m->n_contacts;
     if (f < 0) return is_closed(c, k) ? force_tolerance(c) : 1e-15 * c->number[c->m->extent_at];
-    if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
+    if (friction_mode(c, f) == FRICTION_STICKS)
+        return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
     return 1e-3 * speed_tolerance(c);
 }
 
 enum { AT_LOW, AT_HIGH, AT_TRIAL };
 
-#define NOT_A_NUMBER_IN_STATE 1e300 /* a state is finite: of values this is infinity, of rates that none is known */
+#define NOT_A_NUMBER_IN_STATE                                                                      \
+    1e300 /* a state is finite: of values this is infinity, of rates that none is known */
 
-/* The functions at the start of a communication step: those at the end of the last one, unless rates of inputs may have jumped since,
-   or forces are asked for where the first piece begins. */
+/* The functions at the start of a communication step: those at the end of the last one, unless
+   rates of inputs may have jumped since, or forces are asked for where the first piece begins. */
 static int32_t take_functions(context *c, int inputs_move)
 {
     const event_values low = values_at(c, AT_LOW);

@@ -1,8 +1,9 @@
 /* What jumps of inputs, parameters and laws do to the state.
 
-   Rates of signals may jump: velocities follow. Where a value jumps that somebody sets, a held input or a parameter, it stands for a
-   course that is not known better: what is driven follows at once under a tolerance. A formula whose value jumps at a switch asks for no
-   motion at all: it is refused by name (switch_event.h). */
+   Rates of signals may jump: velocities follow. Where a value jumps that somebody sets, a held
+   input or a parameter, it stands for a course that is not known better: what is driven follows at
+   once under a tolerance. A formula whose value jumps at a switch asks for no motion at all: it is
+   refused by name (switch_event.h). */
 #ifndef HOLONOM_JUMPS_H
 #define HOLONOM_JUMPS_H
 
@@ -27,17 +28,18 @@ static void start_anew(context *c)
     forget_halves(c);
 }
 
-/* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
-   there, and stay where its line ends.                                                                          */
+/* No line leads through means from before and after a jump; outputs at the communication point
+   belong to the step that led there, and stay where its line ends. */
 HM_SELDOM static void end_line(context *c)
 {
     extrapolate(c, c->s.head[S_TIME], c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
-    extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
+    extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean,
+                c->s.driven_mean_before, c->s.driven_mean);
     c->s.head[S_MEAN_TIME] = INFINITY;
 }
 
-/* Where the rates of signals, which were signal_before, have jumped at time t, velocities do so by what that asks for, M dv + G'p = 0,
-   G dv + db/dt = 0; the energy is the drivers' work. */
+/* Where the rates of signals, which were signal_before, have jumped at time t, velocities do so by
+   what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work. */
 HM_SELDOM static int32_t jump_with_signals(context *c, double t)
 {
     const holonom_model *m = c->m;
@@ -60,8 +62,9 @@ HM_SELDOM static int32_t jump_with_signals(context *c, double t)
     return HOLONOM_OK;
 }
 
-/* Lets what drivers hold follow signals that have jumped since the last communication step: steps of any length would throw it about,
-   as much faster as they are shorter. The work is what energies ask for. Where rows cannot follow, all stays as it is. */
+/* Lets what drivers hold follow signals that have jumped since the last communication step: steps
+   of any length would throw it about, as much faster as they are shorter. The work is what energies
+   ask for. Where rows cannot follow, all stays as it is. */
 HM_SELDOM static void follow_jumps(context *c)
 {
     int held = 1;
@@ -74,7 +77,8 @@ HM_SELDOM static void follow_jumps(context *c)
     forget_momenta(c); /* which drivers change */
     follow_drivers(c);
     take_unknowns(&at);
-    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++) held = put_back(c, &at) != HOLONOM_OK;
+    for (int i = 0; i < MAX_CORRECTIONS && held && !factorise_here(&at); i++)
+        held = put_back(c, &at) != HOLONOM_OK;
     /* Velocities of a body that has turned far want factors of where it is now. */
     const int is_placed = !held && !factorise_here(&at);
     if (is_placed) {

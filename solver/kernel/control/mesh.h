@@ -1,7 +1,8 @@
-/* The mesh of a run: how each of its internal steps was taken, and what ended it (repeat.h takes them again).
+/* The mesh of a run: how each of its internal steps was taken, and what ended it (repeat.h takes
+   them again).
 
-   A row (layout.py, MESH) has what a step was asked for, and what came of it. A step that is taken back leaves no row: the next one
-   begins no later. */
+   A row (layout.py, MESH) has what a step was asked for, and what came of it. A step that is taken
+   back leaves no row: the next one begins no later. */
 #ifndef HOLONOM_MESH_H
 #define HOLONOM_MESH_H
 
@@ -10,10 +11,13 @@
 /* The mesh that is recorded, and the one that is repeated, or NULL; no FMU has either. */
 #if defined(HOLONOM_STATIC)
 static inline holonom_mesh *mesh_of(const context *c) { return (void)c, (holonom_mesh *)NULL; }
-static inline const holonom_mesh *repeated_by(const context *c) { return (void)c, (const holonom_mesh *)NULL; }
+static inline const holonom_mesh *repeated_by(const context *c)
+{ return (void)c, (const holonom_mesh *)NULL; }
 #else
-static inline holonom_mesh *mesh_of(const context *c) { return c->mesh && !c->mesh->start ? c->mesh : NULL; }
-static inline const holonom_mesh *repeated_by(const context *c) { return c->mesh && c->mesh->start ? c->mesh : NULL; }
+static inline holonom_mesh *mesh_of(const context *c)
+{ return c->mesh && !c->mesh->start ? c->mesh : NULL; }
+static inline const holonom_mesh *repeated_by(const context *c)
+{ return c->mesh && c->mesh->start ? c->mesh : NULL; }
 #endif
 
 /* Number that tells modes of contacts and frictions apart. */
@@ -21,11 +25,13 @@ HM_SELDOM static double modes_of(const context *c)
 {
     uint32_t code = 0;
     for (int32_t i = 0; i < n_contacts(c->m); i++) code = 31 * code + (is_closed(c, i) ? 2 : 1);
-    for (int32_t f = 0; f < n_frictions(c->m); f++) code = 31 * code + (uint32_t)friction_mode(c, f) + 1;
+    for (int32_t f = 0; f < n_frictions(c->m); f++)
+        code = 31 * code + (uint32_t)friction_mode(c, f) + 1;
     return code;
 }
 
-/* Notes what is done to the state ahead of a step, maybe more than once: tries that fail leave it so. */
+/* Notes what is done to the state ahead of a step, maybe more than once: tries that fail leave it
+   so. */
 HM_SELDOM static void note_ahead(context *c, int what)
 {
     holonom_mesh *x = mesh_of(c);
@@ -53,7 +59,8 @@ HM_SELDOM static void begin_row(context *c, double h)
     row[MESH_EXPLICIT] = head[S_EXPLICIT];
     row[MESH_CAREFUL] = c->careful;
     row[MESH_KNOWN] = head[S_KNOWN];
-    for (int k = 0; k < HOLONOM_AHEAD; k++) row[MESH_LOWERED + k] = x->ahead_of[k] == c->t ? x->ahead[k] : 0.0;
+    for (int k = 0; k < HOLONOM_AHEAD; k++)
+        row[MESH_LOWERED + k] = x->ahead_of[k] == c->t ? x->ahead[k] : 0.0;
     row[MESH_FUNCTION] = -1.0;
     row[MESH_MODES] = modes_of(c);
 }

@@ -1,9 +1,10 @@
-/* Repeats the mesh of a run with other numbers: each internal step as the recorded one was taken, of a length that is a smooth function of
-   the numbers.
+/* Repeats the mesh of a run with other numbers: each internal step as the recorded one was taken,
+   of a length that is a smooth function of the numbers.
 
-   Steps are as long as they were, until an event comes sooner or later. The steps from the last such point, or from the
-   communication point before, to that one are then longer or shorter by one factor: that at which its function has the value which the
-   recorded step has left of it. Those from there to the communication point take up the difference. No step is judged: a motion that
+   Steps are as long as they were, until an event comes sooner or later. The steps from the last
+   such point, or from the communication point before, to that one are then longer or shorter by one
+   factor: that at which its function has the value which the recorded step has left of it. Those
+   from there to the communication point take up the difference. No step is judged: a motion that
    changes its contacts in another order is refused. */
 #ifndef HOLONOM_REPEAT_H
 #define HOLONOM_REPEAT_H
@@ -13,20 +14,24 @@
 enum { MOST_TRIED = 40 };
 #define FIRST_SECANT 1e-4 /* by which the second factor differs from 1 */
 #define ROUND_OFF_SECANT 1e-9 /* so near to the factor before it round-off is all that is left */
-#define ROUND_OFF_VALUE 10.0 /* times what counts as zero: gaps of short pieces are not told more exactly */
+#define ROUND_OFF_VALUE                                                                            \
+    10.0 /* times what counts as zero: gaps of short pieces are not told more exactly */
 #define FIRST_SHORTER 0.01 /* likewise where steps beyond the event fail */
 #define MOST_FACTOR 4.0   /* of lengths, and its inverse */
 
-/* Steps between two points that the mesh keeps: rows from first to last, which begin at `begin` now, `factor` times as long; `end` is their
-   end, or NAN where the last one is as long as that tells. */
+/* Steps between two points that the mesh keeps: rows from first to last, which begin at `begin`
+   now, `factor` times as long; `end` is their end, or NAN where the last one is as long as that
+   tells. */
 typedef struct mesh_piece {
     const double *first, *last;
     double begin, factor, end;
 } mesh_piece;
 
-static double recorded_length(const mesh_piece *x) { return x->last[MESH_TIME] + x->last[MESH_LENGTH] - x->first[MESH_TIME]; }
+static double recorded_length(const mesh_piece *x)
+{ return x->last[MESH_TIME] + x->last[MESH_LENGTH] - x->first[MESH_TIME]; }
 
-static int is_as_recorded(const mesh_piece *x) { return x->factor == 1.0 && x->begin == x->first[MESH_TIME]; }
+static int is_as_recorded(const mesh_piece *x)
+{ return x->factor == 1.0 && x->begin == x->first[MESH_TIME]; }
 
 /* Takes the step of a row again, of length h. */
 static int32_t take_again(context *c, const double *row, double h)
@@ -41,7 +46,8 @@ static int32_t take_again(context *c, const double *row, double h)
     c->last.finest = 0;
     c->damped = is_dissipative(c);
     if (row[MESH_LOWERED] != 0.0) lower_penalties(c);
-    for (double k = 0.0; !status && k < row[MESH_PROJECTED]; k++) status = project_velocities(c, S_IMPACT);
+    for (double k = 0.0; !status && k < row[MESH_PROJECTED]; k++)
+        status = project_velocities(c, S_IMPACT);
     for (double k = 0.0; !status && k < row[MESH_STARTED]; k++) {
         context at = rows_at_state(c);
         take_unknowns(&at);
@@ -58,7 +64,8 @@ static int32_t take_again(context *c, const double *row, double h)
     return HOLONOM_OK;
 }
 
-/* Refuses changes of contacts in a step that has just been taken, of length h from t, where the recorded one had none. */
+/* Refuses changes of contacts in a step that has just been taken, of length h from t, where the
+   recorded one had none. */
 static int32_t refuse_events(context *c, double t, double law_time, double h)
 {
     const event_values high = values_at(c, AT_HIGH);
@@ -76,15 +83,18 @@ static int32_t take_piece(context *c, const mesh_piece *x, int looks)
     const int same = is_as_recorded(x), tight = c->tolerance > 0.0;
     for (const double *row = x->first; row <= x->last; row += MESH_SIZE) {
         const double law_time = c->number[c->m->time_at];
-        const double t = same ? row[MESH_TIME] : x->begin + x->factor * (row[MESH_TIME] - x->first[MESH_TIME]);
+        const double t =
+            same ? row[MESH_TIME] : x->begin + x->factor * (row[MESH_TIME] - x->first[MESH_TIME]);
         const int is_last = row == x->last, is_located = row[MESH_END] > END_LENGTH;
-        const double h = !same && is_last && x->end == x->end ? x->end - t : x->factor * row[MESH_LENGTH];
+        const double h =
+            !same && is_last && x->end == x->end ? x->end - t : x->factor * row[MESH_LENGTH];
         if (is_stopped(c)) return HOLONOM_STOPPED;
         if (row[MESH_TAKEN] == TAKEN_STEPPED) return HOLONOM_MESH_STEPPED;
         if (!(h > 0.0) || modes_of(c) != row[MESH_MODES]) return HOLONOM_MESH_EVENTS;
         c->t = t;
         int32_t status = take_again(c, row, h);
-        if (!status && looks && is_unilateral(c->m) && !is_located) status = refuse_events(c, t, law_time, h);
+        if (!status && looks && is_unilateral(c->m) && !is_located)
+            status = refuse_events(c, t, law_time, h);
         else if (!is_located) follow_slips(c, values_at(c, AT_HIGH));
         if (status) return status;
         if (is_located) return HOLONOM_OK; /* contacts change first */
@@ -94,7 +104,8 @@ static int32_t take_piece(context *c, const mesh_piece *x, int looks)
     return HOLONOM_OK;
 }
 
-/* Takes a piece from its start, which the mesh keeps; `left` of the function of its event there is more than in the recorded run. */
+/* Takes a piece from its start, which the mesh keeps; `left` of the function of its event there is
+   more than in the recorded run. */
 static int32_t take_to_event(context *c, const mesh_piece *x, double law_time, double *left)
 {
     const event_values at = values_at(c, AT_TRIAL);
@@ -105,7 +116,8 @@ static int32_t take_to_event(context *c, const mesh_piece *x, double law_time, d
     return status;
 }
 
-/* Finds the factor at which a piece ends nearest to its event, by secants until round-off ends them. Beyond the event steps may fail. */
+/* Finds the factor at which a piece ends nearest to its event, by secants until round-off ends
+   them. Beyond the event steps may fail. */
 static int32_t meet_event(context *c, mesh_piece *x, double law_time, double longest)
 {
     double left, before = 0.0, last = NAN, best = NAN, least = INFINITY, shorter = FIRST_SHORTER;
@@ -120,16 +132,20 @@ static int32_t meet_event(context *c, mesh_piece *x, double law_time, double lon
         } else {
             if (fabs(left) < least) least = fabs(left), best = x->factor;
             is_met |= left == 0.0 || fabs(x->factor - last) < ROUND_OFF_SECANT;
-            next = last == last ? x->factor - left * (x->factor - last) / (left - before) : x->factor + copysign(FIRST_SECANT, left);
+            next = last == last ? x->factor - left * (x->factor - last) / (left - before)
+                                : x->factor + copysign(FIRST_SECANT, left);
             last = x->factor;
             before = left;
         }
-        const int is_near = next * MOST_FACTOR > 1.0 && next < MOST_FACTOR && next * recorded_length(x) <= longest;
+        const int is_near =
+            next * MOST_FACTOR > 1.0 && next < MOST_FACTOR && next * recorded_length(x) <= longest;
         if (is_met || next == x->factor || !is_near) break;
         x->factor = next;
     }
     const int stops = x->last[MESH_END] == END_STOP;
-    const double most = stops ? SLIP_LEFT / RESTING * speed_tolerance(c) : ROUND_OFF_VALUE * value_tolerance(c, (int32_t)x->last[MESH_FUNCTION]);
+    const double most = stops
+                            ? SLIP_LEFT / RESTING * speed_tolerance(c)
+                            : ROUND_OFF_VALUE * value_tolerance(c, (int32_t)x->last[MESH_FUNCTION]);
     x->factor = best;
     return is_met || least <= most ? HOLONOM_OK : HOLONOM_MESH_EVENTS;
 }
@@ -163,13 +179,16 @@ static int32_t change_contacts(context *c, const double *row)
     return status;
 }
 
-/* Whether a row has no more than round-off of the time: it repeats an event, which need not happen so often now. */
-static int is_no_time(const double *row) { return row[MESH_LENGTH] <= 1e-15 * fabs(row[MESH_TIME]); }
+/* Whether a row has no more than round-off of the time: it repeats an event, which need not happen
+   so often now. */
+static int is_no_time(const double *row)
+{ return row[MESH_LENGTH] <= 1e-15 * fabs(row[MESH_TIME]); }
 
 /* Repeats the steps of a communication step of length `step` from `start`. */
 HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
 {
-    const double *row = repeated_by(c)->row, *behind = row + MESH_SIZE * repeated_by(c)->count, end = start + step;
+    const double *row = repeated_by(c)->row, *behind = row + MESH_SIZE * repeated_by(c)->count,
+                 end = start + step;
     double later = 0.0; /* by which the next piece begins later than in the recorded run */
     int32_t status = row < behind ? HOLONOM_OK : HOLONOM_MESH_METHODS;
     while (!status && row < behind) {
@@ -179,7 +198,8 @@ HM_SELDOM static int32_t cover_by_mesh(context *c, double start, double step)
         const int ends = (int)x.last[MESH_END];
         row = x.last + MESH_SIZE;
         if (is_no_time(x.first) && modes_of(c) != x.first[MESH_MODES]) continue;
-        if (ends == END_LENGTH && later != 0.0) x.factor = longest / (end - x.first[MESH_TIME]), x.end = end;
+        if (ends == END_LENGTH && later != 0.0)
+            x.factor = longest / (end - x.first[MESH_TIME]), x.end = end;
         status = ends > END_LENGTH ? take_event(c, &x, law_time, longest) : take_piece(c, &x, 1);
         if (!status && ends > END_LENGTH) status = change_contacts(c, x.last);
         if (!is_as_recorded(&x)) later += (x.factor - 1.0) * recorded_length(&x);

@@ -1,10 +1,12 @@
 /* Steps that end at switches, and sides that change there (theory 8.6).
 
-   Within a step all laws are as they are on the sides at its beginning. After it, and wherever it has evaluated the laws, one looks
-   whether a switch of the motion is off its side. If so the step is made anew, of other lengths, until it ends just behind the first
-   crossing: an accepted step is one like any other, of the method's order. A formula that has no value beyond its switch, as
-   sqrt(x) if x > 0, makes the step fail there: then it ends just before. If none is off its side, but a parabola through an argument
-   at both ends and inside comes near to its level, the step is made to where it turns, to look there. */
+   Within a step all laws are as they are on the sides at its beginning. After it, and wherever it
+   has evaluated the laws, one looks whether a switch of the motion is off its side. If so the step
+   is made anew, of other lengths, until it ends just behind the first crossing: an accepted step is
+   one like any other, of the method's order. A formula that has no value beyond its switch, as
+   sqrt(x) if x > 0, makes the step fail there: then it ends just before. If none is off its side,
+   but a parabola through an argument at both ends and inside comes near to its level, the step is
+   made to where it turns, to look there. */
 #ifndef HOLONOM_SWITCH_EVENT_H
 #define HOLONOM_SWITCH_EVENT_H
 
@@ -12,22 +14,30 @@
 #include "stepped.h"
 #include "switches.h"
 
-/* Changes of sides in a communication step, and in turn without a pause; lengths of a step that ends at a switch. */
+/* Changes of sides in a communication step, and in turn without a pause; lengths of a step that
+   ends at a switch. */
 enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
-enum { MOST_LOOKS = 8 }; /* places at which an argument that comes near to its level is looked for to turn */
-#define COMES_NEAR 0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
-#define CLOSER 1e-3 /* part of a step, within which a switch may be crossed there and back without being looked for */
+enum {
+    MOST_LOOKS = 8
+}; /* places at which an argument that comes near to its level is looked for to turn */
+#define COMES_NEAR                                                                                 \
+    0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
+#define CLOSER                                                                                     \
+    1e-3 /* part of a step, within which a switch may be crossed there and back without being      \
+            looked for */
 
 /* A piece of a communication step: a step from time t, which ends at a switch at the latest. */
 typedef struct piece {
     double t, length;
     int32_t (*take)(context *, double); /* step of that length */
     int32_t status;                     /* of the last one taken */
-    int stops, crossed; /* whether a switch of the time changes at its end, or one of the motion, which is just behind the level then */
+    int stops, crossed; /* whether a switch of the time changes at its end, or one of the motion,
+                           which is just behind the level then */
 } piece;
 
-/* Before a step of a piece is taken from the present state, maybe several times with other lengths. */
+/* Before a step of a piece is taken from the present state, maybe several times with other
+   lengths. */
 static void begin_watched(context *c, double h)
 {
     if (!c->m->n_motion_switches) return;
@@ -51,19 +61,25 @@ static int has_seen_switch(const context *c)
     return 0;
 }
 
-#define ARGUMENT_ROUNDED 1e-12 /* part of size and speed of the mechanism, within which quantities are known */
+#define ARGUMENT_ROUNDED                                                                           \
+    1e-12 /* part of size and speed of the mechanism, within which quantities are known */
 
-/* How far an argument may be off by rounding: how wide its range is where quantities are known within a part of size and speed. */
+/* How far an argument may be off by rounding: how wide its range is where quantities are known
+   within a part of size and speed. */
 HM_SELDOM static double rounding_of(const context *c, const switch_place *x)
 {
     const holonom_model *m = c->m;
-    const double speed = fmax(fastest_rate(c, c->s.v), speed_scale(c) / c->number[m->extent_at + 1]);
+    const double speed =
+        fmax(fastest_rate(c, c->s.v), speed_scale(c) / c->number[m->extent_at + 1]);
     hm_stop_ranges(m, c->number, x->segment, c->k.bounds);
     for (int32_t j = 0; j < m->n_active; j++) {
-        const double off = ARGUMENT_ROUNDED * (m->quantity_kind[j] == QUANTITY_ANGLE ? 1.0 : c->number[m->extent_at]);
+        const double off =
+            ARGUMENT_ROUNDED
+            * (m->quantity_kind[j] == QUANTITY_ANGLE ? 1.0 : c->number[m->extent_at]);
         const double value = c->number[m->sensor_at + j], rate = c->number[m->sensor_rate_at + j];
         hm_set_range(c->k.bounds, m->sensor_at + j, value - off, value + off, 0.0, 0.0);
-        hm_set_range(c->k.bounds, m->sensor_rate_at + j, rate - off * speed, rate + off * speed, 0.0, 0.0);
+        hm_set_range(c->k.bounds, m->sensor_rate_at + j, rate - off * speed, rate + off * speed,
+                     0.0, 0.0);
     }
     hm_run_ranges(m, c->number, x->segment, c->k.bounds);
     const double *range = c->k.bounds + 4 * (int64_t)x->argument, wide = range[1] - range[0];
@@ -77,8 +93,8 @@ static int is_off(const context *c, int32_t k, double g)
     return x->is_of_motion && is_off_side(x->kind, g, c->s.side[k]) && c->k.by_rounding[k] == 0.0;
 }
 
-/* Forgives switches that are off their sides by rounding in a step just made with this status: a quantity that rows hold at 0 has either
-   sign. A step that failed tells nothing of it. */
+/* Forgives switches that are off their sides by rounding in a step just made with this status: a
+   quantity that rows hold at 0 has either sign. A step that failed tells nothing of it. */
 HM_SELDOM static void forgive_rounding(context *c, int32_t status)
 {
     memset(c->k.by_rounding, 0, sizeof(double) * (size_t)c->m->n_switches);
@@ -91,13 +107,16 @@ HM_SELDOM static void forgive_rounding(context *c, int32_t status)
         const double side = c->s.side[k], end = c->number[x->argument];
         if (!x->is_of_motion || !(c->k.seen[k] != 0.0 || is_off(c, k, end))) continue;
         double beyond = beyond_side(x->kind, end, side);
-        for (const double *inside = c->k.argument_least + 2 * k; inside <= c->k.argument_largest + 2 * k; inside += 2 * (int64_t)c->m->n_switches)
-            beyond = fmax(beyond, inside[1] != inside[1] ? INFINITY : beyond_side(x->kind, inside[1], side));
+        for (const double *inside = c->k.argument_least + 2 * k;
+             inside <= c->k.argument_largest + 2 * k; inside += 2 * (int64_t)c->m->n_switches)
+            beyond = fmax(beyond, inside[1] != inside[1] ? INFINITY
+                                                         : beyond_side(x->kind, inside[1], side));
         c->k.by_rounding[k] = end == end && beyond <= rounding_of(c, x);
     }
 }
 
-static void return_to_start(context *c, const piece *x) { restore_state(c, c->k.switch_backup, x->t, x->t); }
+static void return_to_start(context *c, const piece *x)
+{ restore_state(c, c->k.switch_backup, x->t, x->t); }
 
 /* The step of a piece with another length. */
 static void step_anew(context *c, piece *x, double h)
@@ -111,9 +130,11 @@ static void step_anew(context *c, piece *x, double h)
 }
 
 /* Whether the last step of a piece has failed, and no switch in it tells why. */
-static int fails_otherwise(const context *c, const piece *x) { return x->status && !has_seen_switch(c); }
+static int fails_otherwise(const context *c, const piece *x)
+{ return x->status && !has_seen_switch(c); }
 
-/* Arguments of the switches of the motion at the present state (n_switches, overwritten); whether one is off its side. */
+/* Arguments of the switches of the motion at the present state (n_switches, overwritten); whether
+   one is off its side. */
 static int look_at_switches(context *c, double *argument)
 {
     int off = 0;
@@ -128,36 +149,45 @@ static int look_at_switches(context *c, double *argument)
     return off;
 }
 
-/* Whether the end of a step made with this status is behind a switch; arguments there are overwritten. A step that fails behind one
-   has none. */
+/* Whether the end of a step made with this status is behind a switch; arguments there are
+   overwritten. A step that fails behind one has none. */
 static int is_behind(context *c, int32_t status, double *argument)
 {
     if (!status) return look_at_switches(c, argument);
-    for (int32_t k = 0; k < c->m->n_switches; k++) argument[k] = c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0 ? NAN : c->s.side[k];
+    for (int32_t k = 0; k < c->m->n_switches; k++)
+        argument[k] = c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0 ? NAN : c->s.side[k];
     return 1;
 }
 
-/* Looks in a piece, just taken, for a switch that leaves its side upwards (way = 1) or downwards (-1) and comes back, where a
-   parabola through its arguments at the ends and inside comes near to the level. Returns a length at which one is off its side or was
-   seen so, the step to which is made, or 0: then the whole piece is taken again. */
+/* Looks in a piece, just taken, for a switch that leaves its side upwards (way = 1) or downwards
+   (-1) and comes back, where a parabola through its arguments at the ends and inside comes near to
+   the level. Returns a length at which one is off its side or was seen so, the step to which is
+   made, or 0: then the whole piece is taken again. */
 HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
 {
     const switch_place *x = switch_of(c, k);
-    const double h = step->length, side = c->s.side[k], *inside = (way < 0 ? c->k.argument_least : c->k.argument_largest) + 2 * k;
-    const double level = x->kind == SWITCH_LEVEL ? side + (way > 0) : side * way < 0.0 ? 0.0 : (double)way * INFINITY;
+    const double h = step->length, side = c->s.side[k],
+                 *inside = (way < 0 ? c->k.argument_least : c->k.argument_largest) + 2 * k;
+    const double level = x->kind == SWITCH_LEVEL ? side + (way > 0)
+                         : side * way < 0.0      ? 0.0
+                                                 : (double)way * INFINITY;
     double place[] = {0.0, inside[0] - step->t, h}, *at = c->k.argument_tried;
-    double left[] = {way * (level - c->k.argument_begin[k]), way * (level - inside[1]), way * (level - c->k.argument_high[k])};
+    double left[] = {way * (level - c->k.argument_begin[k]), way * (level - inside[1]),
+                     way * (level - c->k.argument_high[k])};
     int tried = 0;
     const int is_on = x->is_of_motion && !is_off(c, k, c->k.argument_high[k]);
     while (is_on && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
         double least;
         const double lowest = lowest_between(place, left, &least);
-        if (!(lowest > NO_PIECE * h && least < COMES_NEAR * (fmax(left[0], left[2]) - least))) break;
+        if (!(lowest > NO_PIECE * h && least < COMES_NEAR * (fmax(left[0], left[2]) - least)))
+            break;
         step_anew(c, step, lowest);
         if (is_behind(c, step->status, at) || has_seen_switch(c)) return lowest;
         const double there = way * (level - at[k]);
-        const int is_better = !tried++ || there < left[1], is_before = lowest < place[1], end = is_before == is_better ? 2 : 0;
-        if (tried > 1) place[end] = is_better ? place[1] : lowest, left[end] = is_better ? left[1] : there;
+        const int is_better = !tried++ || there < left[1], is_before = lowest < place[1],
+                  end = is_before == is_better ? 2 : 0;
+        if (tried > 1)
+            place[end] = is_better ? place[1] : lowest, left[end] = is_better ? left[1] : there;
         if (is_better) place[1] = lowest, left[1] = there;
     }
     if (tried) step_anew(c, step, h);
@@ -169,12 +199,14 @@ HM_SELDOM static double find_turns(context *c, piece *x)
 {
     double turn = 0.0;
     for (int32_t k = 0; k < c->m->n_switches && turn == 0.0; k++)
-        for (int way = -1; way <= 1 && turn == 0.0 && !x->status; way += 2) turn = find_turn(c, x, k, way);
+        for (int way = -1; way <= 1 && turn == 0.0 && !x->status; way += 2)
+            turn = find_turn(c, x, k, way);
     return turn;
 }
 
-/* Shortens a piece, just taken, until it ends behind a switch, or none in it shows: one may be crossed there and back. Arguments at its
-   end are overwritten; returns whether it ends behind one. */
+/* Shortens a piece, just taken, until it ends behind a switch, or none in it shows: one may be
+   crossed there and back. Arguments at its end are overwritten; returns whether it ends behind
+   one. */
 static int shorten_to_switch(context *c, piece *x, double *argument)
 {
     const double least = CLOSER * x->length;
@@ -191,7 +223,8 @@ static int shorten_to_switch(context *c, piece *x, double *argument)
     }
 }
 
-/* Two lengths of a piece, which end ahead of the first switch and behind it, and the arguments of switches there. */
+/* Two lengths of a piece, which end ahead of the first switch and behind it, and the arguments of
+   switches there. */
 typedef struct bracket {
     double low, high, *at_low, *at_high;
     int32_t failed; /* why there is no step of length `high`, or 0 */
@@ -201,11 +234,14 @@ typedef struct bracket {
 static int leaves_level(const context *c, const double *argument)
 {
     for (int32_t k = 0; k < c->m->n_switches; k++)
-        if (switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0 && is_off(c, k, argument[k])) return 1;
+        if (switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0
+            && is_off(c, k, argument[k]))
+            return 1;
     return 0;
 }
 
-/* Length at which the first switch is crossed, by lines through the arguments; the middle where these do not tell. */
+/* Length at which the first switch is crossed, by lines through the arguments; the middle where
+   these do not tell. */
 static double crossing_in(const context *c, const bracket *b)
 {
     double first = b->high;
@@ -213,18 +249,23 @@ static double crossing_in(const context *c, const bracket *b)
         const switch_place *x = switch_of(c, k);
         const double side = c->s.side[k], low = b->at_low[k], high = b->at_high[k];
         if (!is_off(c, k, high)) continue;
-        const double part = ((x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0) - low) / (high - low);
-        first = fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
+        const double part =
+            ((x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0) - low) / (high - low);
+        first =
+            fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
     }
     return first;
 }
 
-/* Next length to try: where lines lead, and by turns a little behind, since one end may not stand still; the middle where the step
-   behind fails, or three tries have not halved the bracket. */
+/* Next length to try: where lines lead, and by turns a little behind, since one end may not stand
+   still; the middle where the step behind fails, or three tries have not halved the bracket. */
 static double next_length(const context *c, const bracket *b, int trial, double last, double round)
 {
-    const double width = b->high - b->low, guess = crossing_in(c, b), behind = guess + fmax(0.1 * fmin(guess - b->low, b->high - guess), 0.5 * round);
-    if (b->failed || (width > 0.5 * last && trial % 3 == 2) || !(behind > b->low && behind < b->high)) return b->low + 0.5 * width;
+    const double width = b->high - b->low, guess = crossing_in(c, b),
+                 behind = guess + fmax(0.1 * fmin(guess - b->low, b->high - guess), 0.5 * round);
+    if (b->failed || (width > 0.5 * last && trial % 3 == 2)
+        || !(behind > b->low && behind < b->high))
+        return b->low + 0.5 * width;
     return trial % 2 ? behind : fmax(guess, b->low + 0.5 * round);
 }
 
@@ -232,17 +273,20 @@ static double next_length(const context *c, const bracket *b, int trial, double 
 static int has_other_seen(const context *c)
 {
     for (int32_t k = 0; k < c->m->n_switches; k++)
-        if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0 && !is_off(c, k, c->k.argument_high[k])) return 1;
+        if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0
+            && !is_off(c, k, c->k.argument_high[k]))
+            return 1;
     return 0;
 }
 
-/* Ends a piece, just taken, at the first crossing of a switch of the motion in it, if there is one: its length is 0 then if that is where
-   it begins. */
+/* Ends a piece, just taken, at the first crossing of a switch of the motion in it, if there is one:
+   its length is 0 then if that is where it begins. */
 HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
     const int32_t n = c->m->n_switches;
     const double least = CLOSER * x->length, round = 4e-16 * (fabs(x->t) + x->length);
-    double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried, last = INFINITY;
+    double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried,
+           last = INFINITY;
     x->crossed = 0;
     if (!c->m->n_motion_switches) return x->status;
     forgive_rounding(c, x->status);
@@ -312,7 +356,8 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
     c->s.head[S_SWITCHED] += 1.0;
     c->switches.quick = t - c->switches.last > c->switches.pause ? 0 : c->switches.quick + 1;
     c->switches.last = t;
-    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->switches.quick < MOST_QUICK)) return HOLONOM_LAW_SWITCHES;
+    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->switches.quick < MOST_QUICK))
+        return HOLONOM_LAW_SWITCHES;
     return jump_with_signals(c, t);
 }
 
@@ -336,8 +381,9 @@ HM_SELDOM static int32_t pass_time(context *c, double time)
     return blame_switch(c, begin_on_sides(c, time), first);
 }
 
-/* Changes the sides of the switches that find_switch has ended a step at: their arguments, just behind, are those of the last length
-   tried that was too long. Others change that depend on them. */
+/* Changes the sides of the switches that find_switch has ended a step at: their arguments, just
+   behind, are those of the last length tried that was too long. Others change that depend on
+   them. */
 HM_SELDOM static int32_t pass_motion(context *c)
 {
     const int32_t n = c->m->n_switches;
@@ -351,7 +397,10 @@ HM_SELDOM static int32_t pass_motion(context *c)
         const double g = at_high[k], side = c->s.side[k];
         if (!is_off(c, k, g)) continue;
         last = k;
-        if (x->kind == SWITCH_LEVEL) c->s.side[k] = g == g ? floor(g) : c->number[x->argument] < side + 0.5 ? side - 1.0 : side + 1.0;
+        if (x->kind == SWITCH_LEVEL)
+            c->s.side[k] = g == g                                ? floor(g)
+                           : c->number[x->argument] < side + 0.5 ? side - 1.0
+                                                                 : side + 1.0;
         else c->s.side[k] = g == g ? (double)((g > 0.0) - (g < 0.0)) : -side;
     }
     set_laws(c, c->t, 1);
@@ -364,8 +413,8 @@ static int32_t pass_switch(context *c, const piece *x)
     return x->crossed ? pass_motion(c) : x->stops ? pass_time(c, c->switches.next) : HOLONOM_OK;
 }
 
-/* Shortens a piece, in a communication step of length `step` that goes on for `rest`, to the next switch of the time, which is passed
-   if it is now. */
+/* Shortens a piece, in a communication step of length `step` that goes on for `rest`, to the next
+   switch of the time, which is passed if it is now. */
 HM_SELDOM static int32_t stop_at_switch(context *c, piece *x, double rest, double step)
 {
     const double t = x->t, round = rounding_of_time(t, step);

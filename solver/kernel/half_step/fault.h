@@ -27,7 +27,8 @@ static int32_t worst_node(const context *c)
     double largest = 0.0;
     int32_t worst = -1;
     for (int32_t a = 0; a < c->m->n_free; a++) {
-        const double *x = c->k.momentum + DIM * a, off = dot(x, x) / c->number[c->m->node_mass_at + a];
+        const double *x = c->k.momentum + DIM * a,
+                     off = dot(x, x) / c->number[c->m->node_mass_at + a];
         if (exceeds(off, largest)) largest = off, worst = a;
     }
     return worst;
@@ -35,35 +36,46 @@ static int32_t worst_node(const context *c)
 
 #define AT_ZERO 1e-4 /* length over the size of the mechanism */
 
-/* The spring or damper whose points pass each other, where its force jumps to the opposite direction; -1 if there is none. */
+/* The spring or damper whose points pass each other, where its force jumps to the opposite
+   direction; -1 if there is none. */
 static int32_t passed_element(const context *c)
 {
     const holonom_model *m = c->m;
     for (int32_t j = 0; j < m->n_elements; j++) {
         const int32_t quantity = m->leaf[4 * m->leaf_ptr[j] + 1];
-        const double at_zero = fabs(c->number[m->stiffness_at + j] * c->number[m->rest_at + j]) + fabs(c->number[m->drive_at + j]);
+        const double at_zero = fabs(c->number[m->stiffness_at + j] * c->number[m->rest_at + j])
+                               + fabs(c->number[m->drive_at + j]);
         double rate;
-        if (m->quantity_kind[quantity] != QUANTITY_LENGTH || !(at_zero > 0.0 || c->number[m->damping_at + j] > 0.0)) continue;
-        if (quantity_at(c, quantity, c->s.q, c->s.q_low, c->s.v, &rate) < AT_ZERO * c->number[m->extent_at]) return j;
+        if (m->quantity_kind[quantity] != QUANTITY_LENGTH
+            || !(at_zero > 0.0 || c->number[m->damping_at + j] > 0.0))
+            continue;
+        if (quantity_at(c, quantity, c->s.q, c->s.q_low, c->s.v, &rate)
+            < AT_ZERO * c->number[m->extent_at])
+            return j;
     }
     return -1;
 }
 
-/* Blames a row, by its multiplier and 1, or a node or an element, by its number behind these and 1; nothing if none is known. */
+/* Blames a row, by its multiplier and 1, or a node or an element, by its number behind these and 1;
+   nothing if none is known. */
 HM_SELDOM static void blame_worst(context *c, int32_t status)
 {
-    const int of_elements = status == HOLONOM_STEP_COLLAPSED || status == HOLONOM_DAMPING_REVERSED || status == HOLONOM_NEWTON_DIVERGED;
+    const int of_elements = status == HOLONOM_STEP_COLLAPSED || status == HOLONOM_DAMPING_REVERSED
+                            || status == HOLONOM_NEWTON_DIVERGED;
     const int32_t element = of_elements ? passed_element(c) : -1;
     const int of_rows = status == HOLONOM_UZAWA_DIVERGED || status == HOLONOM_NEWTON_DIVERGED;
-    const int of_nodes = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE;
-    const int32_t row = of_rows ? worst_row(c) : -1, node = row < 0 && of_nodes ? worst_node(c) : -1;
+    const int of_nodes = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE
+                         || status == HOLONOM_TURN_TOO_LARGE;
+    const int32_t row = of_rows ? worst_row(c) : -1,
+                  node = row < 0 && of_nodes ? worst_node(c) : -1;
     if (element >= 0) c->at_fault = 1 + c->m->n_rows + c->m->n_free + element;
     else if (row >= 0) c->at_fault = 1 + row;
     else if (node >= 0) c->at_fault = 1 + c->m->n_rows + node;
 }
 
-/* Blames a signal whose value, rate or second derivative at time t is not finite, of those up to an order: by its number thrice,
-   plus that order, behind the nodes. Returns whether there is one; signal1, signal_rate and signal_bend are overwritten. */
+/* Blames a signal whose value, rate or second derivative at time t is not finite, of those up to an
+   order: by its number thrice, plus that order, behind the nodes. Returns whether there is one;
+   signal1, signal_rate and signal_bend are overwritten. */
 HM_SELDOM static int blame_signal(context *c, double t, int orders)
 {
     const double *found[] = {c->k.signal1, c->k.signal_rate, c->k.signal_bend};

@@ -27,16 +27,19 @@ static int32_t single_step(context *c, double h, int half)
 
 enum { MOST_KEPT_FORCES = 16 }; /* of a step: the composition of order 8 has 15 */
 
-/* Keeps the multipliers mu at a time within the step at hand: its contacts are looked at when it ends (force_dips.h). */
+/* Keeps the multipliers mu at a time within the step at hand: its contacts are looked at when it
+   ends (force_dips.h). */
 static void keep_forces(context *c, double time, const double *mu)
 {
     if (!c->m->unilateral || c->n_kept_forces == MOST_KEPT_FORCES) return;
     c->k.kept_time[c->n_kept_forces] = time;
-    memcpy(c->k.kept_forces + (int64_t)c->m->n_rows * c->n_kept_forces++, mu, sizeof(double) * (size_t)c->m->n_rows);
+    memcpy(c->k.kept_forces + (int64_t)c->m->n_rows * c->n_kept_forces++, mu,
+           sizeof(double) * (size_t)c->m->n_rows);
 }
 
-/* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours
-   is smooth, and it belongs to the time between them. Two means give the multiplier at the output's time.      */
+/* mu is constant over a step and has a part that changes sign from step to step: only the mean of
+   two neighbours is smooth, and it belongs to the time between them. Two means give the multiplier
+   at the output's time. */
 static void average_multipliers(context *c, double time)
 {
     double *head = c->s.head;

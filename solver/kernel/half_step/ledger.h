@@ -12,7 +12,8 @@ static void book(context *c, int account, double amount)
     hm_add(c->s.head + account, c->s.head + account + 1, amount); /* high and low part */
 }
 
-/* Whether one of the losses in the step, to dampers and frictions, is a gain, beyond round-off of what weights take the difference of. */
+/* Whether one of the losses in the step, to dampers and frictions, is a gain, beyond round-off of
+   what weights take the difference of. */
 HM_SELDOM static int gives_energy(const context *c)
 {
     const double round_off = 1e-15 * c->s.head[S_ENERGY_REFERENCE];
@@ -21,8 +22,8 @@ HM_SELDOM static int gives_energy(const context *c)
     return gives;
 }
 
-/* Account of what row j takes. In stepped mode rows of closed contacts and of frictions that stick take energy, too: gaps that
-   close and slips that stop move in the half step.                                                              */
+/* Account of what row j takes. In stepped mode rows of closed contacts and of frictions that stick
+   take energy, too: gaps that close and slips that stop move in the half step. */
 static inline int account_of(const context *c, int32_t j, enum row_state state)
 {
     const int32_t owner = c->stepping ? owner_of(c, j) : -1;
@@ -30,8 +31,9 @@ static inline int account_of(const context *c, int32_t j, enum row_state state)
     return owner < 0 ? S_DEFECT : S_IMPACT;
 }
 
-/* Work of elements, what their dampers take (also for each by itself, in loss), and the work of drivers: a row of multiplier mu works
-   -mu (its part by quantities) = -mu dphi + mu (its part by signals).                                           */
+/* Work of elements, what their dampers take (also for each by itself, in loss), and the work of
+   drivers: a row of multiplier mu works -mu (its part by quantities) = -mu dphi + mu (its part by
+   signals). */
 static void book_composites(context *c)
 {
     EACH_COMPOSITE(c, j) {
@@ -47,7 +49,8 @@ static void book_composites(context *c)
         const enum row_state state = state_of_row(c, j);
         if (state == ROW_IS_OFF) continue;
         book(c, account_of(c, j, state), mu * change);
-        if (state == ROW_IS_SLIDING) c->k.loss[slip_row(c, owner_of(c, j) - n_contacts(c->m), 0)] += mu * change;
+        if (state == ROW_IS_SLIDING)
+            c->k.loss[slip_row(c, owner_of(c, j) - n_contacts(c->m), 0)] += mu * change;
         book(c, S_WORK, mu * (change - c->k.moved[row]));
     }
 }
@@ -56,7 +59,8 @@ static void book_composites(context *c)
 static void book_step(context *c)
 {
     const holonom_model *m = c->m;
-    double du[DIM], unused[DIM], defect = 0.0, residual = 0.0; /* small beside the energy: plain sums in a step */
+    double du[DIM], unused[DIM], defect = 0.0,
+                                 residual = 0.0; /* small beside the energy: plain sums in a step */
     EACH_FORM_ROW(c, i) defect += c->k.mu[i] * (c->k.phi[i] - c->k.phi0[i]);
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         link_of(c, m->coincidence_form[j], c->k.d, du, unused);
@@ -66,7 +70,8 @@ static void book_step(context *c)
     for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++)
         residual += c->move[k] * (c->k.momentum[k] - c->k.handed_on[k]);
     book(c, S_RESIDUAL, residual / c->h);
-    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++) /* what moves driven nodes */
+    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN];
+         k++) /* what moves driven nodes */
         book(c, S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
     for IN_ISLAND(c, j, ISLAND_LOAD) book(c, S_WORK, load_work(c, j));
     for IN_ISLAND(c, j, ISLAND_MOMENT) book(c, S_WORK, moment_work(c, j));
@@ -74,8 +79,9 @@ static void book_step(context *c)
     book_composites(c);
 }
 
-/* Counts full turns of angles: one whose sine changes its sign where the cosine is negative leaves (-pi, pi]. Sines are kept, so
-   that what is only measured costs one link an angle and step; moved are the increments of coordinates, NULL if short. */
+/* Counts full turns of angles: one whose sine changes its sign where the cosine is negative leaves
+   (-pi, pi]. Sines are kept, so that what is only measured costs one link an angle and step; moved
+   are the increments of coordinates, NULL if short. */
 static void follow_angle(context *c, int32_t j, const double *moved)
 {
     const int32_t *form = c->m->quantity_form + 2 * j;
@@ -101,7 +107,8 @@ static void follow_angles(context *c, const double *moved)
         if (kind[j] == QUANTITY_ANGLE) follow_angle(c, j, moved);
 }
 
-/* Quaternion of spatial body j from its directors, of the sign next to the last one (-q is the same rotation). */
+/* Quaternion of spatial body j from its directors, of the sign next to the last one (-q is the same
+   rotation). */
 static void follow_orientation(context *c, int32_t j)
 {
 #if DIM == 3
@@ -147,7 +154,8 @@ static double momentum_norm2(const context *c)
     return sum;
 }
 
-/* Speed of what is handed on to the next half steps (hand_on), in the mass norm, over that of the reference energy. */
+/* Speed of what is handed on to the next half steps (hand_on), in the mass norm, over that of the
+   reference energy. */
 #define HANDED_ON 1e-14
 
 /* Takes the solved step of the islands at hand over into the state. */
@@ -159,22 +167,25 @@ static void accept_island(context *c, int parity)
     book_step(c);
     EACH_COORDINATE(c, k) {
         hm_add(s->q + k, s->q_low + k, c->k.d[k]);
-        /* Divided one by one: the rounding error of 2/h, the same in all steps, would add half its square of the
-           change of velocity to the energy, always with one sign. */
+        /* Divided one by one: the rounding error of 2/h, the same in all steps, would add half its
+           square of the change of velocity to the energy, always with one sign. */
         hm_add(s->v + k, s->v_low + k, 2.0 * c->k.w[k] / c->h);
         s->imbalance_before[k] = s->imbalance[k];
         s->imbalance[k] = handed ? c->k.momentum[k] : 0.0;
     }
-    for (int32_t j = c->begin[ISLAND_BODY]; HM_BODIES && j < c->end[ISLAND_BODY]; j++) follow_orientation(c, j);
+    for (int32_t j = c->begin[ISLAND_BODY]; HM_BODIES && j < c->end[ISLAND_BODY]; j++)
+        follow_orientation(c, j);
     if (!is_telling(c)) return;
     const int kept = n_kept(c);
     const double per_step2 = 2.0 / (c->h * c->h);
-    const history a = accelerations_so_far(c, parity), mu = multipliers_so_far(c, parity), turn = turning_so_far(c, parity);
+    const history a = accelerations_so_far(c, parity), mu = multipliers_so_far(c, parity),
+                  turn = turning_so_far(c, parity);
     EACH_COORDINATE(c, k) remember(kept, &a, per_step2 * c->k.w[k], k);
     const double *next = c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT ? c->k.lambda : c->k.mu;
     EACH_ROW(c, i) remember(kept, &mu, next[i], i);
     EACH_TURN(c, b)
-        for (int k = 0; k < TURNING; k++) remember(kept, &turn, turning_of_step(c, m->body_node[b], k), TURNING * b + k);
+        for (int k = 0; k < TURNING; k++)
+            remember(kept, &turn, turning_of_step(c, m->body_node[b], k), TURNING * b + k);
     const int32_t first = DIM * m->n_free;
     for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++)
         s->driven[parity][k - first] = c->k.momentum[k] / c->h;
@@ -185,7 +196,8 @@ static void accept_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
     use_unknowns(c, may_reduce(c));
-    if (c->m->n_sampled && !reads_the_step(c)) judge_sampling(c, parity); /* else what follows it would count as seldom, too */
+    if (c->m->n_sampled && !reads_the_step(c))
+        judge_sampling(c, parity); /* else what follows it would count as seldom, too */
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
         accept_island(c, parity);

@@ -7,17 +7,17 @@
 #include "sensors.h"
 #include "tangent.h"
 
-/* Uzawa update: the total multiplier becomes the one held fixed. The paper's eq 16 adds alpha (Phi_n + Phi_1)/2
-   to lambda; with lambda + alpha/2 Phi_n held here, that would leave an extra alpha/2 Phi_n and the fixed point
-   Phi_1 = -Phi_n (theory 3.3).                                                                                */
+/* Uzawa update: the total multiplier becomes the one held fixed. The paper's eq 16 adds alpha
+   (Phi_n + Phi_1)/2 to lambda; with lambda + alpha/2 Phi_n held here, that would leave an extra
+   alpha/2 Phi_n and the fixed point Phi_1 = -Phi_n (theory 3.3). */
 static void update_multipliers(context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
     if (n_frictions(c->m)) follow_cones(c);
 }
 
-/* P x of multipliers x (modified), P = epsilon (G A^-1 G' + epsilon)^-1: what an Uzawa update with the factors at hand leaves
-   of their error. */
+/* P x of multipliers x (modified), P = epsilon (G A^-1 G' + epsilon)^-1: what an Uzawa update with
+   the factors at hand leaves of their error. */
 HM_SELDOM static void contract_multipliers(const context *c, double *x)
 {
     memset(c->k.rhs + first_pivot(c), 0, sizeof(double) * (size_t)(end_pivot(c) - first_pivot(c)));
@@ -26,16 +26,18 @@ HM_SELDOM static void contract_multipliers(const context *c, double *x)
     EACH_ROW(c, i) x[i] = c->k.rhs[c->lu->row_position[i]];
 }
 
-/* What two powers of P leave of multipliers differs by no more than so much of them where none of their rows are weakly
-   determined. */
+/* What two powers of P leave of multipliers differs by no more than so much of them where none of
+   their rows are weakly determined. */
 #define WEAK 1e-4
-/* Likewise of what no row determines at all. A body 5e6 m long on a guide, whose rows determine it, needs less than 1e-5. */
+/* Likewise of what no row determines at all. A body 5e6 m long on a guide, whose rows determine it,
+   needs less than 1e-5. */
 #define UNDETERMINED 2e-6
 #define MOST_REPEATED 12 /* powers of P */
 
-/* Leaves of multipliers x (modified) what their rows do not determine, by powers of P: of what is determined it leaves some 1e-8, its
-   square nothing. Of what is weakly determined, as next to a dead centre, higher powers leave less; 0 if they still leave much, but
-   not the same. With `all` of it taken out, powers differ by no less than the ones before. */
+/* Leaves of multipliers x (modified) what their rows do not determine, by powers of P: of what is
+   determined it leaves some 1e-8, its square nothing. Of what is weakly determined, as next to a
+   dead centre, higher powers leave less; 0 if they still leave much, but not the same. With `all`
+   of it taken out, powers differ by no less than the ones before. */
 HM_SELDOM static int keep_undetermined(const context *c, double *x, int all)
 {
     const double most2 = hm_square(all ? UNDETERMINED : WEAK);
@@ -54,7 +56,8 @@ HM_SELDOM static int keep_undetermined(const context *c, double *x, int all)
     return is_told;
 }
 
-/* Takes from multipliers x (modified) the part of dependent rows that is not determined; 0 if that cannot be told. */
+/* Takes from multipliers x (modified) the part of dependent rows that is not determined; 0 if that
+   cannot be told. */
 HM_SELDOM static int leave_undetermined(const context *c, double *x, int all)
 {
     double *left = c->k.row_bias;
@@ -64,14 +67,16 @@ HM_SELDOM static int leave_undetermined(const context *c, double *x, int all)
     return 1;
 }
 
-/* Multipliers that the next step begins with, in the place of lambda: those of this one, less that part. */
+/* Multipliers that the next step begins with, in the place of lambda: those of this one, less that
+   part. */
 static void clean_multipliers(context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
     if (!leave_undetermined(c, c->k.lambda, 0)) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
 }
 
-/* Takes from rows phi (modified) what dependent ones cannot meet together, whatever moves; row_bias has it. 0 if that cannot be told. */
+/* Takes from rows phi (modified) what dependent ones cannot meet together, whatever moves; row_bias
+   has it. 0 if that cannot be told. */
 HM_SELDOM static int leave_contradiction(const context *c, double *phi)
 {
     EACH_ROW(c, i) phi[i] /= c->k.epsilon[i];
@@ -84,13 +89,15 @@ HM_SELDOM static int leave_contradiction(const context *c, double *phi)
 static int is_small_contradiction(const context *c)
 {
     double largest = 0.0;
-    EACH_ROW(c, i) largest = fmax(largest, fabs(c->k.row_bias[i]) / c->number[c->m->row_scale_at + i]);
+    EACH_ROW(c, i)
+        largest = fmax(largest, fabs(c->k.row_bias[i]) / c->number[c->m->row_scale_at + i]);
     return largest <= LARGEST_CONTRADICTION;
 }
 
-/* Takes what dependent rows cannot meet together for what they ask for, and its part out of the multipliers, which would grow
-   with each update: parallel axes hold a loop once too often, and what rounding of its drawing misses would stop it in steps of
-   1e-6 s, whose multipliers grow as 1/h^2. In two passes: what one leaves of it would do work. */
+/* Takes what dependent rows cannot meet together for what they ask for, and its part out of the
+   multipliers, which would grow with each update: parallel axes hold a loop once too often, and
+   what rounding of its drawing misses would stop it in steps of 1e-6 s, whose multipliers grow as
+   1/h^2. In two passes: what one leaves of it would do work. */
 HM_SELDOM static int accept_contradiction(const context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
@@ -102,11 +109,13 @@ HM_SELDOM static int accept_contradiction(const context *c)
     return 1;
 }
 
-/* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the residual R of this one is
-   solved for R + 2 e_1 - e_2 = 0. Newton's iteration leaves a part of what it corrects, with one sign over many steps,
-   and the energies v'e would grow with the number of steps. With it the steps leave second differences of e: their
-   energies cancel, except where the velocity itself changes (double pendulum, 1e6 steps of 10 ms: 1e-14 J, and 4e-12 J
-   without it). The round-off of stiff springs is larger and of either sign; handed on it would grow, so it is not. */
+/* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the
+   residual R of this one is solved for R + 2 e_1 - e_2 = 0. Newton's iteration leaves a part of
+   what it corrects, with one sign over many steps, and the energies v'e would grow with the number
+   of steps. With it the steps leave second differences of e: their energies cancel, except where
+   the velocity itself changes (double pendulum, 1e6 steps of 10 ms: 1e-14 J, and 4e-12 J without
+   it). The round-off of stiff springs is larger and of either sign; handed on it would grow, so it
+   is not. */
 
 static void hand_on(context *c)
 {
@@ -119,12 +128,13 @@ static int32_t evaluate_balance(context *c)
 {
     if (c->reads) read_the_step(c);
     const int32_t status = evaluate_residual(c);
-    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) c->k.momentum[k] += c->k.handed_on[k];
+    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++)
+        c->k.momentum[k] += c->k.handed_on[k];
     return status;
 }
 
-/* A row whose pivot is so many times epsilon determines its multiplier well: an Uzawa update leaves nothing of a prediction's
-   error in it. */
+/* A row whose pivot is so many times epsilon determines its multiplier well: an Uzawa update leaves
+   nothing of a prediction's error in it. */
 #define FIRM 1e6
 
 static int rows_are_firm(const context *c)
@@ -134,28 +144,33 @@ static int rows_are_firm(const context *c)
     return largest * FIRM < 1.0;
 }
 
-/* The next step begins with predicted multipliers held fixed, too, where one increment may be all it takes: where the rows
-   determine them well (a prediction would amplify from step to step what they do not), and the first increment of this
-   step was short. Else those of the last pair are held: they are corrected once more, each time by another amount, and rounded
-   to either side. A prediction is so smooth that rounding errors add up (heavy top, 3e5 steps of 4 ms: 3e-14 of the
-   energy, and 5e-15 like this).                                                                                 */
+/* The next step begins with predicted multipliers held fixed, too, where one increment may be all
+   it takes: where the rows determine them well (a prediction would amplify from step to step what
+   they do not), and the first increment of this step was short. Else those of the last pair are
+   held: they are corrected once more, each time by another amount, and rounded to either side. A
+   prediction is so smooth that rounding errors add up (heavy top, 3e5 steps of 4 ms: 3e-14 of the
+   energy, and 5e-15 like this). */
 #define NEARLY_THERE 1e-8
 
 static void choose_lambda(context *c, const newton_record *r)
 {
     const int is_short = r->begun < NEARLY_THERE * r->size;
-    const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
-    c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && (c->asleep || !is_unilateral(c->m)) && (is_short || is_enough);
+    const int is_enough =
+        known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
+    c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm
+                                   && (c->asleep || !is_unilateral(c->m))
+                                   && (is_short || is_enough);
 }
 
-/* Whether factors may leave out how forces of sliding frictions turn with the place: first ones contract well enough. In space what they
-   leave out costs as much as a dozen increments. */
+/* Whether factors may leave out how forces of sliding frictions turn with the place: first ones
+   contract well enough. In space what they leave out costs as much as a dozen increments. */
 static int is_soft_enough(const context *c, const newton_record *r)
 {
     return c->sliding && (r->increments == 0 || slides_in_space(c));
 }
 
-/* Solves for one Newton increment and adds it; its size, that of d, and what they are measured against. */
+/* Solves for one Newton increment and adds it; its size, that of d, and what they are measured
+   against. */
 static int32_t newton_update(context *c, newton_record *r)
 {
     const holonom_model *m = c->m;
@@ -209,7 +224,8 @@ static void hold_multipliers(context *c, newton_record *r)
     r->updates++;
 }
 
-/* Whether increments tell how far the next ones go: as soon as they contract, and until they grow. The first one does not. */
+/* Whether increments tell how far the next ones go: as soon as they contract, and until they grow.
+   The first one does not. */
 #define BEGIN_TO_SETTLE 0.6
 
 static int is_settling(const context *c, const newton_record *r)
@@ -217,7 +233,8 @@ static int is_settling(const context *c, const newton_record *r)
     return r->increments >= 2 && r->theta < (c->unsettled < INFINITY ? 1.0 : BEGIN_TO_SETTLE);
 }
 
-/* Newton's iteration with lambda held fixed: tangent, increment, residual; with early updates while it contracts well. */
+/* Newton's iteration with lambda held fixed: tangent, increment, residual; with early updates while
+   it contracts well. */
 static int32_t iterate_newton(context *c, newton_record *r)
 {
     const int max_newton = (int)c->s.head[S_MAX_NEWTON];

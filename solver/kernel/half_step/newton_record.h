@@ -5,27 +5,30 @@
 #include "context.h"
 
 typedef struct newton_record {
-    double theta;            /* contraction of the increments                                                  */
-    double seen;             /* likewise, of the last ones that are larger than their round-off                */
-    double known;            /* contraction that earlier steps tell of the factors at hand, or 1               */
-    double eta, previous;    /* the last increment and the one before it, in the mass norm [kg^1/2 m]           */
-    double first;            /* the first one with the factors at hand                                          */
-    double begun;            /* the first one of the step                                                      */
-    double size;             /* of d, likewise                                                                 */
-    double target, floor;    /* tolerance and round-off of increments                                          */
-    double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
-    int iteration;           /* number of the increment since the multipliers were held, from 0                */
-    int factorised;          /* whether there are factors of the tangent                                       */
-    int kept;                /* whether they served an earlier increment too                                   */
-    int taken_over;          /* whether they are those of the half step before                                 */
-    int slow;                /* whether they are lean ones that contract too little                            */
-    int held;                /* whether the last increment was followed by an early update of the multipliers         */
-    int missed;              /* whether what dependent rows cannot meet together was accepted                   */
-    int raised;              /* how often the penalty was raised                                               */
-    int increments, updates; /* Newton increments and Uzawa updates of the step                                 */
+    double theta;            /* contraction of the increments */
+    double seen;             /* likewise, of the last ones that are larger than their round-off */
+    double known;            /* contraction that earlier steps tell of the factors at hand, or 1 */
+    double eta,
+        previous; /* the last increment and the one before it, in the mass norm [kg^1/2 m] */
+    double first;            /* the first one with the factors at hand */
+    double begun;            /* the first one of the step */
+    double size;             /* of d, likewise */
+    double target, floor;    /* tolerance and round-off of increments */
+    double energy,
+        noise; /* reference energy, and kinetic energy of the round-off of positions [J] */
+    int iteration;           /* number of the increment since the multipliers were held, from 0 */
+    int factorised;          /* whether there are factors of the tangent */
+    int kept;                /* whether they served an earlier increment too */
+    int taken_over;          /* whether they are those of the half step before */
+    int slow;                /* whether they are lean ones that contract too little */
+    int held; /* whether the last increment was followed by an early update of the multipliers */
+    int missed;              /* whether what dependent rows cannot meet together was accepted */
+    int raised;              /* how often the penalty was raised */
+    int increments, updates; /* Newton increments and Uzawa updates of the step */
 } newton_record;
 
-/* Whether the increment is no good: a long first one of lean factors, whose stiffness was missing, tells nothing. */
+/* Whether the increment is no good: a long first one of lean factors, whose stiffness was missing,
+   tells nothing. */
 static inline int is_misled(const newton_record *r) { return r->slow && r->iteration == 0; }
 
 #endif

@@ -5,57 +5,69 @@
 #include "policy_stopping.h"
 
 #define GOOD_CONTRACTION 0.05
-#define LAST_DIGITS 1e-15 /* size of an increment, over that of the step, from which on round-off hides what contracts */
+#define LAST_DIGITS                                                                                \
+    1e-15 /* size of an increment, over that of the step, from which on round-off hides what       \
+             contracts */
 
-/* What fresh factors cost, in increments: the places that their products go to over the numbers that a solution reads, and the
-   tangent. Measured: 1.7 to 2.5 times the first price are alike for chains of bodies, and more loses for points. */
+/* What fresh factors cost, in increments: the places that their products go to over the numbers
+   that a solution reads, and the tangent. Measured: 1.7 to 2.5 times the first price are alike for
+   chains of bodies, and more loses for points. */
 static double price_of_factors(const context *c)
 {
-    const int32_t *begin = c->lu->lu_island + 4 * c->first_island, *end = c->lu->lu_island + 4 * c->last_island;
-    return (is_reduced(c) ? 2.0 : 1.0) + (double)(end[2] - begin[2]) / (1.0 + c->lu->lu_ptr[end[0]] - c->lu->lu_ptr[begin[0]]);
+    const int32_t *begin = c->lu->lu_island + 4 * c->first_island,
+                  *end = c->lu->lu_island + 4 * c->last_island;
+    return (is_reduced(c) ? 2.0 : 1.0)
+           + (double)(end[2] - begin[2]) / (1.0 + c->lu->lu_ptr[end[0]] - c->lu->lu_ptr[begin[0]]);
 }
 
-/* Whether fresh factors would spare more increments than they cost. The next increment is theta times the last; from then on
-   fresh factors contract by theta times what is left of the way from where the present ones were made. Not in the place of
-   those taken over, which judge_factors weighs, nor of lean ones, which would lack the same again, and not with dependent
-   rows: iterations that end sooner leave more in what these determine weakly (Bricard at tolerances: 2e-14 of the energy
-   in place of 5e-15).                                                                                           */
+/* Whether fresh factors would spare more increments than they cost. The next increment is theta
+   times the last; from then on fresh factors contract by theta times what is left of the way from
+   where the present ones were made. Not in the place of those taken over, which judge_factors
+   weighs, nor of lean ones, which would lack the same again, and not with dependent rows:
+   iterations that end sooner leave more in what these determine weakly (Bricard at tolerances:
+   2e-14 of the energy in place of 5e-15). */
 static int would_pay(const context *c, const newton_record *r)
 {
-    const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta, fresh = r->theta * next / r->first;
+    const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta,
+                 fresh = r->theta * next / r->first;
     double saved = 0.0, with_kept = next, with_fresh = next;
-    if (r->taken_over || is_lean(c) || c->island[I_DEPENDENT] != 0.0 || r->iteration < 2 || next <= goal) return 0;
+    if (r->taken_over || is_lean(c) || c->island[I_DEPENDENT] != 0.0 || r->iteration < 2
+        || next <= goal)
+        return 0;
     for (; r->theta * with_kept > goal && saved < 10.0; with_kept *= r->theta) saved += 1.0;
     for (; fresh * with_fresh > goal && saved > 0.0; with_fresh *= fresh) saved -= 1.0;
     return saved > price_of_factors(c);
 }
 
-/* Factors are kept while increments contract well with them, and at round-off, which says nothing about them. */
+/* Factors are kept while increments contract well with them, and at round-off, which says nothing
+   about them. */
 static inline int may_keep_factors(const context *c, const newton_record *r)
 {
     if (!r->factorised || !hm_skips(SKIP_FACTORISATION)) return 0;
     if (c->reads) return 1; /* what laws do tells nothing of the factors */
-    return r->theta < GOOD_CONTRACTION ? !would_pay(c, r) : r->iteration > 0 && r->eta < LAST_DIGITS * r->size;
+    return r->theta < GOOD_CONTRACTION ? !would_pay(c, r)
+                                       : r->iteration > 0 && r->eta < LAST_DIGITS * r->size;
 }
 
-/* Lean factors leave stiffness out, h^2 |sum mu_i H_i|/4m and h^2 k/4m against 1, which is then their contraction.
-   From this one on, or where a step takes more increments than that, full factors cost less; they are used for a
-   while, each time for twice as many steps. Not with dependent rows: what these leave undetermined would follow every
-   increment, and the energy with it.                                                                          */
+/* Lean factors leave stiffness out, h^2 |sum mu_i H_i|/4m and h^2 k/4m against 1, which is then
+   their contraction. From this one on, or where a step takes more increments than that, full
+   factors cost less; they are used for a while, each time for twice as many steps. Not with
+   dependent rows: what these leave undetermined would follow every increment, and the energy with
+   it. */
 #define LEAN_CONTRACTION 3e-3
 #define LEAN_INCREMENTS 3
 
 static void choose_factors(context *c)
 {
     double *island = c->island;
-    const int is_tried = c->m->n_lean_values && is_reduced(c) == (n_bodies(c->m) > 0) && island[I_DEPENDENT] == 0.0 &&
-                         hm_skips(SKIP_STIFFNESS);
+    const int is_tried = c->m->n_lean_values && is_reduced(c) == (n_bodies(c->m) > 0)
+                         && island[I_DEPENDENT] == 0.0 && hm_skips(SKIP_STIFFNESS);
     c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? lean_factors(c) : full_factors(c);
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
 }
 
-/* What the last increment tells of the factors: the contraction or, as long as there is no increment before it with the
-   same ones, its size against the step's.                                                                        */
+/* What the last increment tells of the factors: the contraction or, as long as there is no
+   increment before it with the same ones, its size against the step's. */
 static void judge_increment(const context *c, newton_record *r)
 {
     r->factorised = 1;
@@ -67,26 +79,30 @@ static void judge_increment(const context *c, newton_record *r)
     learn_contraction(c, r);
     if (!r->kept) r->known = known_contraction(c, r->first, r->size);
     r->previous = r->eta;
-    r->slow = is_lean(c) && r->eta > r->floor && r->theta > (r->iteration > 0 ? LEAN_CONTRACTION : 0.5);
+    r->slow =
+        is_lean(c) && r->eta > r->floor && r->theta > (r->iteration > 0 ? LEAN_CONTRACTION : 0.5);
 }
 
-/* Leaves a way that has failed alone for some half steps, and notes how many: each time for twice as many. */
-static inline void pause_way(double *steps, double *wait) { *steps = *wait = fmin(fmax(2.0 * *wait, 64.0), 4096.0); }
+/* Leaves a way that has failed alone for some half steps, and notes how many: each time for twice
+   as many. */
+static inline void pause_way(double *steps, double *wait)
+{ *steps = *wait = fmin(fmax(2.0 * *wait, 64.0), 4096.0); }
 
 /* Full factors for some half steps. */
 static void pause_lean(double *island) { pause_way(island + I_FULL_STEPS, island + I_FULL_WAIT); }
 
-/* Factors of the half step before serve another of the same length, where they are dear and the mechanism moves little:
-   as long as they cost one increment more than fresh ones, which are dearer, or none; else they are left alone for a while,
-   each time for twice as many half steps. They are scratch of one internal step, and of one island.              */
+/* Factors of the half step before serve another of the same length, where they are dear and the
+   mechanism moves little: as long as they cost one increment more than fresh ones, which are
+   dearer, or none; else they are left alone for a while, each time for twice as many half steps.
+   They are scratch of one internal step, and of one island. */
 #define FURTHER_INCREMENTS 1
 
 static int take_factors_over(context *c, newton_record *r)
 {
     double *island = c->island;
     if (island[I_FRESH_STEPS] > 0.0) island[I_FRESH_STEPS] -= 1.0;
-    if (c->m->n_islands > 1 || c->kept_factors.h != c->h || c->kept_factors.lu != c->lu || island[I_FRESH_STEPS] > 0.0 ||
-        !hm_skips(SKIP_FRESH_FACTORS))
+    if (c->m->n_islands > 1 || c->kept_factors.h != c->h || c->kept_factors.lu != c->lu
+        || island[I_FRESH_STEPS] > 0.0 || !hm_skips(SKIP_FRESH_FACTORS))
         return 0;
     r->factorised = r->taken_over = 1;
     r->known = 1.0;
@@ -94,7 +110,8 @@ static int take_factors_over(context *c, newton_record *r)
     return 1;
 }
 
-/* Instead of lean factors that contract too little: fresh ones if they were taken over, else full ones. */
+/* Instead of lean factors that contract too little: fresh ones if they were taken over, else full
+   ones. */
 static void replace_factors(context *c, newton_record *r)
 {
     if (!r->taken_over) {

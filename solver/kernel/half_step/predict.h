@@ -1,20 +1,20 @@
 /* Where the solution of a half step is sought first (theory 3.5).
 
-   Accelerations and multipliers go on as the polynomial through the last half steps tells, and miss it by nearly what
-   they missed it by in the same half of the internal step before: they depend on which half of its pair and which part
-   of a composition this is. The state keeps what was missed, one slot for each half of an internal step, as many as the
-   order at assembly asks for. */
+   Accelerations and multipliers go on as the polynomial through the last half steps tells, and miss
+   it by nearly what they missed it by in the same half of the internal step before: they depend on
+   which half of its pair and which part of a composition this is. The state keeps what was missed,
+   one slot for each half of an internal step, as many as the order at assembly asks for. */
 #ifndef HOLONOM_PREDICT_H
 #define HOLONOM_PREDICT_H
 
 #include "forms.h"
 
-/* Half steps that the polynomial goes through. Parts of a composition differ in length, and what they jump by with it: more than
-   a line would only enlarge that. */
+/* Half steps that the polynomial goes through. Parts of a composition differ in length, and what
+   they jump by with it: more than a line would only enlarge that. */
 static inline int n_followed(const context *c) { return c->halves == 2 ? 4 : 2; }
 
-/* Of how many internal steps before it the misses are known and used, the last one or a line through two; 0 leaves the values of
-   the same half of the last pair. */
+/* Of how many internal steps before it the misses are known and used, the last one or a line
+   through two; 0 leaves the values of the same half of the last pair. */
 static int known_misses(const context *c)
 {
     const double known = hm_skips(SKIP_OLD_GUESS) ? c->s.head[S_KNOWN] - n_followed(c) : 0.0;
@@ -24,13 +24,16 @@ static int known_misses(const context *c)
 
 /* Lengths that differ by less are the same: times of communication points are rounded. */
 #define SAME_LENGTH 1e-9
-/* Largest weight of a value: a polynomial that leads further would enlarge errors more, and the last value is taken. */
+/* Largest weight of a value: a polynomial that leads further would enlarge errors more, and the
+   last value is taken. */
 #define LARGEST_WEIGHT 10.0
 
-/* Weights of the last n half steps, the last one first, in the polynomial through their middles at that of this one. */
+/* Weights of the last n half steps, the last one first, in the polynomial through their middles at
+   that of this one. */
 static void find_weights(const context *c, int n, double *weight)
 {
-    static const double even[3][4] = {{2.0, -1.0, 0.0, 0.0}, {3.0, -3.0, 1.0, 0.0}, {4.0, -6.0, 4.0, -1.0}};
+    static const double even[3][4] = {
+        {2.0, -1.0, 0.0, 0.0}, {3.0, -3.0, 1.0, 0.0}, {4.0, -6.0, 4.0, -1.0}};
     const double *length = c->s.head + S_HALF_1;
     double from[4], way = c->h, product[4] = {1.0, 1.0, 1.0, 1.0}, largest = 0.0;
     int is_even = 1;
@@ -49,8 +52,9 @@ static void find_weights(const context *c, int n, double *weight)
     for (int i = 0; i < n && largest <= LARGEST_WEIGHT; i++) weight[i] = product[i];
 }
 
-/* Weights for all that is predicted, and for multipliers of dependent rows, where more than a parabola would enlarge what
-   these leave undetermined (Bricard, 2e5 steps of 4.9 ms: 3e-14 of the energy, and 1e-15 with a parabola).       */
+/* Weights for all that is predicted, and for multipliers of dependent rows, where more than a
+   parabola would enlarge what these leave undetermined (Bricard, 2e5 steps of 4.9 ms: 3e-14 of the
+   energy, and 1e-15 with a parabola). */
 static void set_weights(context *c)
 {
     static const double by_pairs[4] = {0.0, 2.0, 0.0, -1.0};
@@ -64,18 +68,19 @@ static void set_weights(context *c)
     else memcpy(c->parabola, c->weight, sizeof c->weight);
 }
 
-/* Values of the last four half steps, the last one first, their weights, and what the polynomial missed in this half of the
-   last internal step and of the one before it. */
+/* Values of the last four half steps, the last one first, their weights, and what the polynomial
+   missed in this half of the last internal step and of the one before it. */
 typedef struct history {
     const double *weight;
     double *last, *same, *last_before, *same_before, *missed, *missed_before;
 } history;
 
-static inline history so_far(const context *c, int parity, const double *weight, double *const *pair, double *const *before,
-                             double *missed, int64_t n)
+static inline history so_far(const context *c, int parity, const double *weight,
+                             double *const *pair, double *const *before, double *missed, int64_t n)
 {
     double *now = missed + n * c->half;
-    return (history){weight, pair[1 - parity], pair[parity], before[1 - parity], before[parity], now, now + n * c->halves};
+    return (history){weight, pair[1 - parity],   pair[parity], before[1 - parity], before[parity],
+                     now,    now + n * c->halves};
 }
 
 /* Accelerations, multipliers, and angular accelerations of bodies. */
@@ -92,7 +97,8 @@ static inline history multipliers_so_far(const context *c, int parity)
 
 static inline history turning_so_far(const context *c, int parity)
 {
-    return so_far(c, parity, c->weight, c->s.turn, c->s.turn_before, c->s.turn_missed, TURNING * (int64_t)n_bodies(c->m));
+    return so_far(c, parity, c->weight, c->s.turn, c->s.turn_before, c->s.turn_missed,
+                  TURNING * (int64_t)n_bodies(c->m));
 }
 
 /* Weights sum to 1: in this form what rests goes on to rest, to the last bit. */
@@ -110,8 +116,10 @@ static inline double predicted(int reach, const history *x, int64_t i)
     return followed(x, i) + (reach == 1 ? x->missed[i] : 2.0 * x->missed[i] - x->missed_before[i]);
 }
 
-/* How many misses of a half the state keeps: none, that of this internal step, or that of the one before it too. */
-static inline int n_kept(const context *c) { return (c->halves <= c->m->n_slots) + (2 * c->halves <= c->m->n_slots); }
+/* How many misses of a half the state keeps: none, that of this internal step, or that of the one
+   before it too. */
+static inline int n_kept(const context *c)
+{ return (c->halves <= c->m->n_slots) + (2 * c->halves <= c->m->n_slots); }
 
 /* Takes over value i, which has just been solved for, and what was missed, of which `kept` are. */
 static inline void remember(int kept, const history *x, double fresh, int64_t i)
@@ -131,7 +139,8 @@ static void remember_length(context *c)
     length[0] = c->h;
 }
 
-/* No polynomial through what was before and what is after a jump, or over internal steps of another kind. */
+/* No polynomial through what was before and what is after a jump, or over internal steps of another
+   kind. */
 static void forget_halves(context *c) { c->s.head[S_KNOWN] = 0.0; }
 
 /* Begins an internal step of so many halves. */

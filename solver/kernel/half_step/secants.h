@@ -1,9 +1,11 @@
-/* Increments of Newton's iteration where laws read the step (sensors.h), of which the factors know nothing.
+/* Increments of Newton's iteration where laws read the step (sensors.h), of which the factors know
+   nothing.
 
-   A plain increment is g(x) = -A^-1 F(x). Each one that is taken, p, shows by how much it changes g, q. Combinations of such pairs
-   bring g near 0, in as many increments as laws read different things (Anderson 1965; Walker and Ni, SIAM J. Numer. Anal. 49 (2011)
-   1715-1735): with the q orthonormal in the mass norm the increment is g - sum <q_j, g> (q_j + p_j). Pairs serve the next half steps
-   of the same length, too.                                                                                        */
+   A plain increment is g(x) = -A^-1 F(x). Each one that is taken, p, shows by how much it changes
+   g, q. Combinations of such pairs bring g near 0, in as many increments as laws read different
+   things (Anderson 1965; Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715-1735): with the q
+   orthonormal in the mass norm the increment is g - sum <q_j, g> (q_j + p_j). Pairs serve the next
+   half steps of the same length, too. */
 #ifndef HOLONOM_SECANTS_H
 #define HOLONOM_SECANTS_H
 
@@ -11,8 +13,11 @@
 #include "tangent.h"
 
 enum { MOST_SECANTS = 12 };
-#define SHOWN_BEFORE 1e-6 /* part of a change that other pairs do not show already: less tells nothing new */
-#define READ_ENOUGH 1e-9 /* increment over the step below which laws stay as they were read last: Newton's iteration ends with them */
+#define SHOWN_BEFORE                                                                               \
+    1e-6 /* part of a change that other pairs do not show already: less tells nothing new */
+#define READ_ENOUGH                                                                                \
+    1e-9 /* increment over the step below which laws stay as they were read last: Newton's         \
+            iteration ends with them */
 
 /* Product of increments x and y (end_pivot each) of all islands in the mass norm. */
 HM_SELDOM static double product_of_increments(const context *c, const double *x, const double *y)
@@ -20,7 +25,8 @@ HM_SELDOM static double product_of_increments(const context *c, const double *x,
     double sum = 0.0;
     for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a)) {
         const double mass = c->number[c->m->node_mass_at + a] * (is_director(c, a) ? DIM - 1 : 1);
-        for (int32_t i = c->lu->node_position[a], k = 0; k < unknown_size(c, a); k++) sum += mass * x[i + k] * y[i + k];
+        for (int32_t i = c->lu->node_position[a], k = 0; k < unknown_size(c, a); k++)
+            sum += mass * x[i + k] * y[i + k];
     }
     return sum;
 }

@@ -13,13 +13,16 @@ static inline double usual_length(const context *c)
 }
 
 /* Round-off of the coordinates in the mass norm. */
-static inline double round_off_of_places(const context *c) { return 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]; }
+static inline double round_off_of_places(const context *c)
+{ return 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]; }
 
-/* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter both over h^2. A
-   shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
+/* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter
+   both over h^2. A shorter one leaves those of the last step, which are as good, and the
+   constraints' round-off as it is. */
 static inline int is_telling(const context *c)
 {
-    return fabs(c->h) >= (is_unilateral(c->m) ? 1e-3 : 1e-5) * usual_length(c); /* pieces between events are short */
+    return fabs(c->h) >= (is_unilateral(c->m) ? 1e-3 : 1e-5)
+                             * usual_length(c); /* pieces between events are short */
 }
 
 /* Form rows and coincidences at the state, to the last digit; 0 if not `exact`. */
@@ -34,26 +37,32 @@ static void form_rows_at_state(const context *c, int exact)
     }
 }
 
-/* Rows at the beginning of the step; functions in double precision, others to the last digit, or with the digits that the end of
-   the half step before has, of its increments, which are smaller than the coordinates.                             */
+/* Rows at the beginning of the step; functions in double precision, others to the last digit, or
+   with the digits that the end of the half step before has, of its increments, which are smaller
+   than the coordinates. */
 static void rows_at_start(context *c, int exact)
 {
     if (exact && c->rows_known && c->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT)
         EACH_ROW(c, i) c->k.phi0[i] = c->k.phi[i];
     else form_rows_at_state(c, exact);
     EACH_ROW_OF_KIND(c, j, ISLAND_FUNCTION)
-        c->k.phi0[row_of(c, j)] = exact && state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
-    EACH_ROW_OF_KIND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;
+        c->k.phi0[row_of(c, j)] = exact && state_of_row(c, j) == ROW_IS_ON
+                                      ? function_value(c, j) - reference_of(c, j)
+                                      : 0.0;
+    EACH_ROW_OF_KIND(c, j, ISLAND_VELOCITY)
+        c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;
 }
 
 #define MOST_TURNED 2.5 /* rad */
 
-/* Whether no direction is about to turn by more: a step would take the shorter way round, with an exact ledger and the wrong
-   motion. */
+/* Whether no direction is about to turn by more: a step would take the shorter way round, with an
+   exact ledger and the wrong motion. */
 static int turns_little(const context *c)
 {
     EACH_NODE(c, a)
-        if (c->m->node_kind[a] && !(dot(c->k.hv + DIM * a, c->k.hv + DIM * a) <= MOST_TURNED * MOST_TURNED)) return 0;
+        if (c->m->node_kind[a]
+            && !(dot(c->k.hv + DIM * a, c->k.hv + DIM * a) <= MOST_TURNED * MOST_TURNED))
+            return 0;
     return 1;
 }
 
@@ -73,7 +82,8 @@ static void begin_unknowns(const context *c, int parity, int reach)
 }
 
 /* Whether turns of bodies are the unknowns. */
-static inline int may_reduce(const context *c) { return HM_BODIES && c->m->n_reduced_values && hm_skips(SKIP_DIRECTORS); }
+static inline int may_reduce(const context *c)
+{ return HM_BODIES && c->m->n_reduced_values && hm_skips(SKIP_DIRECTORS); }
 
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
@@ -94,30 +104,33 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
     const int32_t first = DIM * m->n_free;
-    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++) { /* go where they must */
+    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN];
+         k++) { /* go where they must */
         c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
     if (is_reduced(c)) begin_unknowns(c, parity, reach);
     rows_at_start(c, is_telling(c) || c->stepping);
     const double rows = c->island[I_DEPENDENT];
-    const double compliance = compliance_over_sigma(c), kept = rows == ROWS_ARE_WEAK ? 1.0 - FORGOTTEN : 1.0;
+    const double compliance = compliance_over_sigma(c),
+                 kept = rows == ROWS_ARE_WEAK ? 1.0 - FORGOTTEN : 1.0;
     EACH_ROW(c, i) {
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
         c->k.mu[i] = kept * c->s.mu[parity][i];
     }
-    /* Lambda is predicted, too, with dependent rows, whose multipliers clean_multipliers has cleaned, and where choose_lambda
-       says so. Else it is the last one: near a singular configuration a prediction would amplify what the rows leave
-       undetermined. */
-    const int follows = rows == ROWS_ARE_DEPENDENT || (rows == ROWS_ARE_INDEPENDENT && c->island[I_PREDICTS_LAMBDA] != 0.0);
+    /* Lambda is predicted, too, with dependent rows, whose multipliers clean_multipliers has
+       cleaned, and where choose_lambda says so. Else it is the last one: near a singular
+       configuration a prediction would amplify what the rows leave undetermined. */
+    const int follows = rows == ROWS_ARE_DEPENDENT
+                        || (rows == ROWS_ARE_INDEPENDENT && c->island[I_PREDICTS_LAMBDA] != 0.0);
     if (!follows) update_multipliers(c);
     if (rows == ROWS_ARE_WEAK) return;
     EACH_ROW(c, i) c->k.mu[i] = predicted(reach, &mu, i);
     if (follows) update_multipliers(c);
 }
 
-/* Whether what rows that contradict each other cannot meet together is accepted; once a step, whose penalty, which multiplies what
-   they miss, is not raised then. */
+/* Whether what rows that contradict each other cannot meet together is accepted; once a step, whose
+   penalty, which multiplies what they miss, is not raised then. */
 static int miss_together(const context *c, newton_record *r)
 {
     if (c->island[I_DEPENDENT] != ROWS_CONTRADICT || r->raised || r->missed) return 0;
@@ -127,8 +140,8 @@ static int miss_together(const context *c, newton_record *r)
     return 1;
 }
 
-/* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are
-   those after an inner iteration, not the early ones within it.                                                 */
+/* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16);
+   `updates` (overwritten) are those after an inner iteration, not the early ones within it. */
 static int32_t iterate_uzawa(context *c, newton_record *r, int *updates)
 {
     const int max_uzawa = (int)c->s.head[S_MAX_UZAWA];
@@ -157,7 +170,8 @@ typedef struct effort {
     int increments, updates;
 } effort;
 
-/* One try with the factors chosen, from what prepare_step has left; what it takes is added to `total`. */
+/* One try with the factors chosen, from what prepare_step has left; what it takes is added to
+   `total`. */
 static int32_t try_step(context *c, int began_with_old, newton_record *r, effort *total)
 {
     int updates = 0;
@@ -176,7 +190,8 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
 /* The record of a step that has seen nothing yet. */
 static inline newton_record nothing_seen(const context *c)
 {
-    return (newton_record){.theta = 1.0, .seen = 1.0, .known = 1.0, .floor = round_off_of_places(c)};
+    return (newton_record){
+        .theta = 1.0, .seen = 1.0, .known = 1.0, .floor = round_off_of_places(c)};
 }
 
 /* Another try of the step, with new factors. */
@@ -200,7 +215,8 @@ static int32_t solve_island(context *c, int parity, effort *total)
     choose_factors(c);
     const int began_with_old = take_factors_over(c, &r);
     int32_t status = try_step(c, began_with_old, &r, total);
-    if (status && began_with_old) status = try_again(c, parity, &r, total); /* old factors may have led astray */
+    if (status && began_with_old)
+        status = try_again(c, parity, &r, total); /* old factors may have led astray */
     double *rows = c->island + I_DEPENDENT;
     if (status && !known_misses(c) && *rows != ROWS_ARE_INDEPENDENT && *rows != ROWS_CONTRADICT) {
         /* Dependent rows may contradict each other; a penalty would multiply what they miss. */
@@ -211,15 +227,18 @@ static int32_t solve_island(context *c, int parity, effort *total)
     return status;
 }
 
-/* Into how many parts a step divides the mechanism, and lets the next one be at hand. Laws may read one island and act on another. */
-static inline int32_t n_apart(const context *c) { return hm_skips(SKIP_ISLANDS) && !reads_the_step(c) ? c->m->n_islands : 1; }
+/* Into how many parts a step divides the mechanism, and lets the next one be at hand. Laws may read
+   one island and act on another. */
+static inline int32_t n_apart(const context *c)
+{ return hm_skips(SKIP_ISLANDS) && !reads_the_step(c) ? c->m->n_islands : 1; }
 
 static inline void look_at_part(context *c, int32_t part, int32_t parts)
 {
     if (parts > 1) look_at(c, part, part + 1);
 }
 
-/* One step of all islands, each by itself. The numbers of increments and updates are those of the island that took most. */
+/* One step of all islands, each by itself. The numbers of increments and updates are those of the
+   island that took most. */
 static int32_t solve_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);

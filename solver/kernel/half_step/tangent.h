@@ -1,10 +1,11 @@
 /* Residual and tangent of one step, the regularised KKT system
 
-       [ A      h Gm' ] [dw ]     [ (2/h) M w + h (Gm' mu - Q) ]      A = (2/h) M + h (1/2 sum mu_i H_i + K),
-       [ G_1    -eps  ] [dmu] = - [ Phi_1 - eps (mu - lambda)  ]      w = d - h v_n.
+       [ A      h Gm' ] [dw ]     [ (2/h) M w + h (Gm' mu - Q) ]      A = (2/h) M + h (1/2 sum mu_i
+   H_i + K), [ G_1    -eps  ] [dmu] = - [ Phi_1 - eps (mu - lambda)  ]      w = d - h v_n.
 
    It is not symmetric: Gm is taken at the midpoint, G_1 at the end. Unknown is w, not
-   q_1 or d: M (v_1 - v_n) = (2/h) M w then has the size of the forces, not of the momenta, and keeps its digits. */
+   q_1 or d: M (v_1 - v_n) = (2/h) M w then has the size of the forces, not of the momenta, and
+   keeps its digits. */
 #ifndef HOLONOM_TANGENT_H
 #define HOLONOM_TANGENT_H
 
@@ -45,7 +46,8 @@ HM_OFTEN void add_curves(const context *c, int32_t i, int32_t forms, int32_t siz
     for (int32_t k = 0; k < forms; k++) acts |= c->k.curve[forms * i + k] != 0.0;
     for (int32_t b = 0; b < size && acts; b++) {
         double *column = c->k.block + b, sum = 0.0;
-        for (int32_t k = 0; k < forms; k++) sum += c->k.curve[forms * i + k] * c->k.gradient_end[size * k + b];
+        for (int32_t k = 0; k < forms; k++)
+            sum += c->k.curve[forms * i + k] * c->k.gradient_end[size * k + b];
         for (int32_t a = 0; a < size && sum != 0.0; a++) column[size * a] += gradient[a] * sum;
     }
 }
@@ -63,7 +65,8 @@ static void composite_stiffness(const context *c, int32_t j, int32_t size)
         const double factor = c->theta * c->k.slope[i];
         for (int32_t p = 0; p < m->form_free[f] && !(m->form_kind[f] & FORM_LINEAR); p++)
             for (int32_t q = 0; q < m->form_free[f]; q++) {
-                double same, quarter, *corner = c->k.block + size * place[local[p]] + place[local[q]];
+                double same, quarter,
+                    *corner = c->k.block + size * place[local[p]] + place[local[q]];
                 const int32_t *node = m->form_node + begin;
                 pair_stiffness(c, f, begin + p, begin + q, &same, &quarter);
                 if (is_director(c, node[p]) || is_director(c, node[q])) {
@@ -71,7 +74,8 @@ static void composite_stiffness(const context *c, int32_t j, int32_t size)
                     block_of_same(c, node[p], node[q], factor * same, factor * quarter, x);
                     const int rows = unknown_size(c, node[p]), columns = unknown_size(c, node[q]);
                     for (int r = 0; r < rows; r++)
-                        for (int k = 0; k < columns; k++) corner[size * r + k] += x[columns * r + k];
+                        for (int k = 0; k < columns; k++)
+                            corner[size * r + k] += x[columns * r + k];
                     continue;
                 }
                 EACH(k) corner[size * k + k] += factor * same;
@@ -90,13 +94,15 @@ static int32_t composite_tangent(const context *c, double *value)
     int32_t before = -1, size = 0;
     EACH_COMPOSITE(c, j) {
         const int32_t *slot = c->lu->composite_slot + c->lu->composite_slot_ptr[j];
-        const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
+        const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j],
+                      row = is_row(c, j);
         composite_result result = {0.0, 0.0, 0.0};
         const enum row_state state = state_of_row(c, j);
         if (((is_lean(c) || c->constraints_only) && !row) || state == ROW_IS_OFF) continue;
         const double factor = row ? c->h * c->k.mu[row_of(c, j)] : c->h;
         const int is_stiff = !is_lean(c) && factor != 0.0 && !(c->soft && state == ROW_IS_SLIDING);
-        const int asked = is_stiff ? WITH_STIFFNESS : WITH_ENDS, is_next = is_next_slip(c, before, j, asked);
+        const int asked = is_stiff ? WITH_STIFFNESS : WITH_ENDS,
+                  is_next = is_next_slip(c, before, j, asked);
         const int32_t status = next_slopes(c, is_next, j, asked, &result);
         if (status) return status;
         if (!is_next) size = local_gradients(c, j);
@@ -108,9 +114,11 @@ static int32_t composite_tangent(const context *c, double *value)
             for (int32_t k = 0; k < size * size; k++) value[*slot++] += factor * block[k];
         }
         for (int32_t k = 0; k < size && row; k++, slot++)
-            for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
+            for (int32_t f = 0; f < forms; f++)
+                value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
         for (int32_t k = 0; k < size && row && state == ROW_IS_ON; k++, slot++)
-            for (int32_t f = 0; f < forms; f++) value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
+            for (int32_t f = 0; f < forms; f++)
+                value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
         if (state == ROW_IS_SLIDING && !c->at_state) turning_tangent(c, j, size, value);
     }
     if (n_frictions(c->m)) cone_tangent(c, value);
@@ -142,7 +150,8 @@ static int32_t law_tangent(const context *c, double *value)
 }
 
 /* Pivots of the islands at hand. */
-static inline int32_t first_pivot(const context *c) { return c->lu->lu_island[4 * c->first_island]; }
+static inline int32_t first_pivot(const context *c)
+{ return c->lu->lu_island[4 * c->first_island]; }
 static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[4 * c->last_island]; }
 
 /* Rows that are left out: the pivot -1, no couplings, the right-hand side 0. */
@@ -174,15 +183,18 @@ static void inertia(const context *c, double factor, const double *x, double *mo
     }
 }
 
-/* Inertia of the turns of bodies, and the stiffness that all forces on their directors p_i have by turning with these:
+/* Inertia of the turns of bodies, and the stiffness that all forces on their directors p_i have by
+   turning with these:
 
-       sum [ (y_i . d_i) 1 - d_i y_i' ],     y_i = (2/h) sum_k E_ik m_k - p_i/2,     d_i at the end.             */
+       sum [ (y_i . d_i) 1 - d_i y_i' ],     y_i = (2/h) sum_k E_ik m_k - p_i/2,     d_i at the
+   end. */
 static void inertia_tangent(const context *c, double *value)
 {
     double *y = c->k.ahead;
     inertia(c, mass_factor(c), c->k.middle, y);
     EACH_TURN(c, b) {
-        const int32_t at = DIM * c->m->body_node[b], *slot = c->lu->inertia_slot + TURNING * TURNING * b;
+        const int32_t at = DIM * c->m->body_node[b],
+                      *slot = c->lu->inertia_slot + TURNING * TURNING * b;
         double *x = c->k.bend + at;
         for (int i = at; i < at + DIM * TURNING; i += DIM) {
             double own[DIM];
@@ -202,7 +214,9 @@ static int32_t assemble_tangent(const context *c)
     const int32_t first = c->lu->lu_ptr[first_pivot(c)];
     memset(value + first, 0, sizeof(double) * (size_t)(c->lu->lu_ptr[end_pivot(c)] - first));
     for (int32_t e = c->begin[ISLAND_MASS]; e < c->end[ISLAND_MASS] && e < m->n_mass_free; e++)
-        EACH(k) if (c->lu->mass_slot[DIM * e + k] >= 0) value[c->lu->mass_slot[DIM * e + k]] += factor * c->number[m->mass_at + e];
+        EACH(k)
+            if (c->lu->mass_slot[DIM * e + k] >= 0)
+                value[c->lu->mass_slot[DIM * e + k]] += factor * c->number[m->mass_at + e];
     clear_bodies(c, c->k.bend, TURNING * TURNING);
     EACH_FORM_ROW(c, i) {
         const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
@@ -210,7 +224,8 @@ static int32_t assemble_tangent(const context *c)
         else square_row_tangent(c, i, slot, value);
     }
     if (is_reduced(c)) inertia_tangent(c, value);
-    const int32_t *slot = c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
+    const int32_t *slot =
+        c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE)
         slot = coincidence_tangent(c, j, slot, value);
     EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
@@ -223,7 +238,8 @@ static int32_t assemble_tangent(const context *c)
 static int32_t add_composites(const context *c)
 {
     const holonom_model *m = c->m;
-    int32_t before = -1, summed = -1; /* the last one, and if it is a slip whose slopes wait for those of the next one */
+    int32_t before = -1, summed = -1; /* the last one, and if it is a slip whose slopes wait for
+                                         those of the next one */
     EACH_COMPOSITE(c, j) {
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
         composite_result result = {0.0, 0.0, 0.0};
@@ -236,12 +252,16 @@ static int32_t add_composites(const context *c)
         const int is_first = summed < 0 || !is_next_slip(c, summed, j, SLOPES_ALONE);
         if (summed >= 0 && is_first) add_slopes(c, summed, 1.0, c->k.slope_sum);
         summed = -1;
-        const int32_t status = next_slopes(c, is_next_slip(c, before, j, SLOPES_ALONE), j, SLOPES_ALONE, &result);
+        const int32_t status =
+            next_slopes(c, is_next_slip(c, before, j, SLOPES_ALONE), j, SLOPES_ALONE, &result);
         if (status) return status;
         before = j;
         double factor = c->h;
         if (row >= 0) {
-            c->k.phi[row] = result.row + (is_seeking(c) || (j >= first_velocity_row(c) && !c->stepping) ? 0.0 : c->k.phi0[row]);
+            c->k.phi[row] =
+                result.row
+                + (is_seeking(c) || (j >= first_velocity_row(c) && !c->stepping) ? 0.0
+                                                                                 : c->k.phi0[row]);
             factor *= c->k.mu[row];
             c->k.change[row] = result.change;
             c->k.moved[row] = result.mechanical;
@@ -259,7 +279,8 @@ static int32_t add_composites(const context *c)
     return HOLONOM_OK;
 }
 
-/* Both residuals at the present (w, d, mu), of directors as points: momentum, and phi = Phi_1 of the rows. */
+/* Both residuals at the present (w, d, mu), of directors as points: momentum, and phi = Phi_1 of
+   the rows. */
 static int32_t nodal_residual(const context *c)
 {
     const holonom_model *m = c->m;
@@ -299,7 +320,7 @@ static int32_t evaluate_residual(const context *c)
     return status;
 }
 
-/* ------------------------------------------------------------------ right-hand side, factors, solution */
+/* ----------------------------------------------------------- right-hand side, factors, solution */
 
 /* Residual of a row. */
 static inline double row_residual(const context *c, int32_t i)
@@ -312,8 +333,10 @@ static void gather_momentum(const context *c)
 {
     for (int32_t a = c->begin[ISLAND_FREE]; !is_reduced(c) && a < c->end[ISLAND_FREE]; a++)
         EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
-    for (int32_t a = c->begin[ISLAND_FREE]; is_reduced(c) && a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
-        for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
+    for (int32_t a = c->begin[ISLAND_FREE]; is_reduced(c) && a < c->end[ISLAND_FREE];
+         a = next_unknown(c, a))
+        for (int k = 0; k < unknown_size(c, a); k++)
+            c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
 }
 
 static void gather_rhs(const context *c)
@@ -322,7 +345,8 @@ static void gather_rhs(const context *c)
     EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -row_residual(c, i);
 }
 
-/* Adds what was solved for, one vector a free node, to x (DIM n_free, modified); directors at the end turn with their body. */
+/* Adds what was solved for, one vector a free node, to x (DIM n_free, modified); directors at the
+   end turn with their body. */
 static void add_solution(const context *c, double *x)
 {
     for (int32_t a = c->begin[ISLAND_FREE], next; a < c->end[ISLAND_FREE]; a = next) {
@@ -337,12 +361,14 @@ static void add_solution(const context *c, double *x)
 }
 
 /* Many contacts, of which few are closed at a time, leave most of the pattern empty. */
-static inline int is_mostly_empty(const context *c) { return n_contacts(c->m) > FEW_CONTACTS && !is_open(c); }
+static inline int is_mostly_empty(const context *c)
+{ return n_contacts(c->m) > FEW_CONTACTS && !is_open(c); }
 
 /* Entries of each pivot that are not 0; behind these counts their columns. */
 static inline int32_t *live_counts(const context *c) { return (int32_t *)(void *)c->k.live; }
 
-static inline int32_t *live_columns(const context *c) { return live_counts(c) + DIM * c->m->n_free + c->m->n_rows; }
+static inline int32_t *live_columns(const context *c)
+{ return live_counts(c) + DIM * c->m->n_free + c->m->n_rows; }
 
 /* Whether pivots are eliminated in groups. */
 static inline int has_groups(const context *c) { return is_reduced(c) && !is_mostly_empty(c); }
@@ -351,11 +377,16 @@ static inline int has_groups(const context *c) { return is_reduced(c) && !is_mos
 static inline int32_t factorise_matrix(const context *c)
 {
     const holonom_elimination *lu = c->lu;
-    const int32_t begin = first_pivot(c), end = end_pivot(c), *target = lu->lu_target + lu->lu_island[4 * c->first_island + 2];
-    if (has_groups(c)) return hm_block_factor(lu, c->first_island, c->last_island, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
-    const int fails = is_mostly_empty(c) ? hm_lu_factor_live(begin, end, lu->lu_ptr, lu->lu_column, target, c->k.value,
-                                                              live_counts(c), live_columns(c))
-                                         : hm_lu_factor(begin, end, lu->lu_ptr, target, c->k.value);
+    const int32_t begin = first_pivot(c), end = end_pivot(c),
+                  *target = lu->lu_target + lu->lu_island[4 * c->first_island + 2];
+    if (has_groups(c))
+        return hm_block_factor(lu, c->first_island, c->last_island, c->k.value)
+                   ? HOLONOM_SINGULAR_TANGENT
+                   : HOLONOM_OK;
+    const int fails = is_mostly_empty(c)
+                          ? hm_lu_factor_live(begin, end, lu->lu_ptr, lu->lu_column, target,
+                                              c->k.value, live_counts(c), live_columns(c))
+                          : hm_lu_factor(begin, end, lu->lu_ptr, target, c->k.value);
     return fails ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
 }
 
@@ -366,9 +397,11 @@ static inline int32_t factorise(const context *c)
 }
 
 /* Inverse pivot of row i, of what is left of -G A^-1 G' - epsilon; 0 of a row in a tree. */
-static inline double inverse_pivot(const context *c, int32_t i) { return c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]; }
+static inline double inverse_pivot(const context *c, int32_t i)
+{ return c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]; }
 
-/* Whether row i is one of a tree (articulated.h), which is independent, well determined, and holds at once. */
+/* Whether row i is one of a tree (articulated.h), which is independent, well determined, and holds
+   at once. */
 static inline int is_in_tree(const context *c, int32_t i) { return inverse_pivot(c, i) == 0.0; }
 
 /* Replaces the right-hand side by the solution. */
@@ -378,7 +411,8 @@ static inline void solve_factors(const context *c)
     const int32_t begin = first_pivot(c), end = end_pivot(c);
     if (has_groups(c)) hm_block_solve(lu, c->first_island, c->last_island, c->k.value, c->k.rhs);
     else if (is_mostly_empty(c))
-        hm_lu_solve_live(begin, end, lu->lu_ptr, live_counts(c), live_columns(c), c->k.value, c->k.rhs);
+        hm_lu_solve_live(begin, end, lu->lu_ptr, live_counts(c), live_columns(c), c->k.value,
+                         c->k.rhs);
     else hm_lu_solve(begin, end, lu->lu_ptr, lu->lu_column, c->k.value, c->k.rhs);
 }
 

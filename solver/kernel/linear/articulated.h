@@ -1,21 +1,24 @@
-/* Factors of a body together with the joint that carries it (articulated bodies: Featherstone 1983).
+/* Factors of a body together with the joint that carries it (articulated bodies: Featherstone
+   1983).
 
-   A group of 9 + a pivots is the turn of a body b (3), its place (3), three rows of a coincidence and a rows of axes, a <= 3.
-   The other body of the joint, if it is not the ground, comes first among the later places X, turn and place:
+   A group of 9 + a pivots is the turn of a body b (3), its place (3), three rows of a coincidence
+   and a rows of axes, a <= 3. The other body of the joint, if it is not the ground, comes first
+   among the later places X, turn and place:
 
-       [ A     U    J_m' ] [ x_b ]   [ r ]      J:  s (dr_b + dtheta_b x arm - dr - dtheta x (arm + reach)) = c_0,
-       [ L     .    .    ] [ X   ] = [ . ]          g_k . (dtheta_b - dtheta) = c_k,
-       [ J     .    0    ] [ mu  ]   [ c ]
+       [ A     U    J_m' ] [ x_b ]   [ r ]      J:  s (dr_b + dtheta_b x arm - dr - dtheta x (arm +
+   reach)) = c_0, [ L     .    .    ] [ X   ] = [ . ]          g_k . (dtheta_b - dtheta) = c_k, [ J
+   .    0    ] [ mu  ]   [ c ]
 
-   s = 1 or -1. All that the joint allows is x_b = T X + S q + e, and what its forces do no work on is the same with arms and
-   directions g in the middle, T_m and S_m. With the equation S_m' (A x_b + U X) = S_m' r of 3 - a unknowns, x_b and mu drop
-   out, and X gets
+   s = 1 or -1. All that the joint allows is x_b = T X + S q + e, and what its forces do no work on
+   is the same with arms and directions g in the middle, T_m and S_m. With the equation S_m' (A x_b
+   + U X) = S_m' r of 3 - a unknowns, x_b and mu drop out, and X gets
 
        (L + T_m' A) T + T_m' U - (L S + T_m' A S) K (S_m' U + S_m' A T),     K = (S_m' A S)^-1.
 
-   A group has p = 9 + a pivots, f = 3 - a free directions and m later places, an even number; `has_parent` is 1 where the
-   other body moves. The compliance epsilon of its rows is left out: they are independent, and it is some 1e-8 of the rest.
-   Their residuals have it, so that a solution has its effect after one increment more.                          */
+   A group has p = 9 + a pivots, f = 3 - a free directions and m later places, an even number;
+   `has_parent` is 1 where the other body moves. The compliance epsilon of its rows is left out:
+   they are independent, and it is some 1e-8 of the rest. Their residuals have it, so that a
+   solution has its effect after one increment more. */
 #ifndef HOLONOM_ARTICULATED_H
 #define HOLONOM_ARTICULATED_H
 
@@ -26,8 +29,9 @@
 #include <math.h>
 #include <string.h>
 
-/* What solutions read, in the place of the joint's rows; behind it K (f x f), and of joints with axes their duals at the
-   end and in the middle (3 x 3 each). The last entry of these rows stays 0, see lu_ptr. */
+/* What solutions read, in the place of the joint's rows; behind it K (f x f), and of joints with
+   axes their duals at the end and in the middle (3 x 3 each). The last entry of these rows stays 0,
+   see lu_ptr. */
 typedef struct joint_motion {
     double sign, rate; /* s, and 1/(h s): multiplier of a row over its force */
     double arm[2][3], reach[2][3];
@@ -39,7 +43,8 @@ enum { OF_END, OF_MIDDLE };
 _Static_assert(KEPT(0) < 3 * 9 && KEPT(1) < 4 * 10 && KEPT(2) < 5 * 11 && KEPT(3) < 6 * 12,
                "fits rows 6 .. of D, less the last entry");
 
-HM_OFTEN void keep_joint(const int a, const joint_motion *x, const double *axis, const double *K, double *kept)
+HM_OFTEN void keep_joint(const int a, const joint_motion *x, const double *axis, const double *K,
+                         double *kept)
 {
     const int of_K = (3 - a) * (3 - a);
     memcpy(kept, x, sizeof *x);
@@ -47,7 +52,8 @@ HM_OFTEN void keep_joint(const int a, const joint_motion *x, const double *axis,
     if (a) memcpy(kept + sizeof *x / sizeof(double) + of_K, axis, sizeof(double) * 18);
 }
 
-static inline const double *inverse_of(const joint_motion *x) { return (const double *)(const void *)(x + 1); }
+static inline const double *inverse_of(const joint_motion *x)
+{ return (const double *)(const void *)(x + 1); }
 
 /* The a directions dual to g, and free ones. */
 static inline const double *axes_at(const int a, const joint_motion *x, int at)
@@ -59,7 +65,8 @@ static inline const double *axes_at(const int a, const joint_motion *x, int at)
 HM_OFTEN double product(const double *a, const double *b)
 {
     lanes sum = lanes_times(lanes_at(a), lanes_at(b));
-    for (int k = 2; k < BODY_UNKNOWNS; k += 2) sum = lanes_plus(sum, lanes_at(a + k), lanes_at(b + k));
+    for (int k = 2; k < BODY_UNKNOWNS; k += 2)
+        sum = lanes_plus(sum, lanes_at(a + k), lanes_at(b + k));
     return LANE(sum, 0) + LANE(sum, 1);
 }
 
@@ -75,14 +82,16 @@ static int dual_basis(const double *g, double *x)
     return 0;
 }
 
-/* Completes a directions g to a basis, and takes its dual one; without any they are those of space. */
+/* Completes a directions g to a basis, and takes its dual one; without any they are those of
+   space. */
 HM_OFTEN int free_axes(const int a, double *g, double *x)
 {
     for (int i = 0; i < 9 && !a; i++) x[i] = i % 4 == 0;
     if (!a) return 0;
     if (a == 1) {
         const double size[3] = {fabs(g[0]), fabs(g[1]), fabs(g[2])};
-        const int least = size[0] < size[1] ? (size[0] < size[2] ? 0 : 2) : (size[1] < size[2] ? 1 : 2);
+        const int least =
+            size[0] < size[1] ? (size[0] < size[2] ? 0 : 2) : (size[1] < size[2] ? 1 : 2);
         for (int k = 0; k < 3; k++) g[6 + k] = k == least;
         cross_product(g, g + 6, g + 3);
     }
@@ -91,7 +100,8 @@ HM_OFTEN int free_axes(const int a, double *g, double *x)
 }
 
 /* Motions S (f x 6) along free directions: the turn, and what it does to the place. */
-HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, double S[3][BODY_UNKNOWNS])
+HM_OFTEN void free_motions(const int a, const double *arm, const double *axis,
+                           double S[3][BODY_UNKNOWNS])
 {
     for (int k = 0; k < 3 - a; k++) {
         for (int i = 0; i < 3; i++) S[k][i] = axis[3 * (a + k) + i];
@@ -99,14 +109,17 @@ HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, d
     }
 }
 
-/* The geometry of a joint, from its rows in D, U and L: entries of the matrices of cross products with s and h s times the
-   arms, the other body's with the opposite sign. */
-HM_OFTEN joint_motion read_joint(const int p, int32_t has_parent, const double *D, const double *U, const double *L)
+/* The geometry of a joint, from its rows in D, U and L: entries of the matrices of cross products
+   with s and h s times the arms, the other body's with the opposite sign. */
+HM_OFTEN joint_motion read_joint(const int p, int32_t has_parent, const double *D, const double *U,
+                                 const double *L)
 {
-    const double s = D[6 * p + 3], r = 1.0 / D[3 * p + 6], *theta0 = U, *theta2 = U + 2 * p, *of0 = L, *of1 = L + 1;
+    const double s = D[6 * p + 3], r = 1.0 / D[3 * p + 6], *theta0 = U, *theta2 = U + 2 * p,
+                 *of0 = L, *of1 = L + 1;
     joint_motion x = {s,
                       r,
-                      {{s * D[7 * p + 2], -s * D[6 * p + 2], s * D[6 * p + 1]}, {-r * D[p + 8], r * D[8], -r * D[7]}},
+                      {{s * D[7 * p + 2], -s * D[6 * p + 2], s * D[6 * p + 1]},
+                       {-r * D[p + 8], r * D[8], -r * D[7]}},
                       {{0.0}}};
     if (has_parent) {
         x.reach[OF_END][0] = -s * theta2[2 * 7] - x.arm[OF_END][0];
@@ -119,13 +132,15 @@ HM_OFTEN joint_motion read_joint(const int p, int32_t has_parent, const double *
     return x;
 }
 
-/* Directions of the joint at the end or in the middle, from its rows, and their dual and free axes. */
+/* Directions of the joint at the end or in the middle, from its rows, and their dual and free
+   axes. */
 HM_OFTEN int read_axes(const int a, const double *D, int at, double *axis)
 {
     const int p = 9 + a;
     double g[9];
     for (int k = 0; k < a; k++)
-        for (int i = 0; i < 3; i++) g[3 * k + i] = at == OF_END ? D[(9 + k) * p + i] : D[i * p + 9 + k];
+        for (int i = 0; i < 3; i++)
+            g[3 * k + i] = at == OF_END ? D[(9 + k) * p + i] : D[i * p + 9 + k];
     return free_axes(a, g, axis);
 }
 
@@ -146,8 +161,8 @@ HM_OFTEN int invert(const int f, double *K)
     return 0;
 }
 
-/* T' of two wrenches side by side, 6 lanes: their torques get reach x force. The reach at the end makes T, that in the middle
-   T_m. */
+/* T' of two wrenches side by side, 6 lanes: their torques get reach x force. The reach at the end
+   makes T, that in the middle T_m. */
 HM_OFTEN void carry_two(const double *reach, lanes *x)
 {
     const lanes a = both_lanes(reach[0]), b = both_lanes(reach[1]), c = both_lanes(reach[2]);
@@ -167,8 +182,8 @@ HM_OFTEN void carry_row(const double *reach, lanes *x)
 }
 
 /* P = T_m' (U + A T) + L T of the other body, 6 rows of 3 lanes. */
-HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D, const double *U, const double *L,
-                            lanes P[BODY_UNKNOWNS][3])
+HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D, const double *U,
+                            const double *L, lanes P[BODY_UNKNOWNS][3])
 {
     for (int i = 0; i < BODY_UNKNOWNS; i++) {
         for (int k = 0; k < 3; k++) P[i][k] = lanes_at(D + p * i + 2 * k);
@@ -187,14 +202,15 @@ HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D,
         carry_two(x->reach[OF_END], rows);
         for (int k = 0; k < 3; k++) {
             P[i][k] = lanes_sum(P[i][k], lanes_of(LANE(rows[2 * k], 0), LANE(rows[2 * k + 1], 0)));
-            P[i + 1][k] = lanes_sum(P[i + 1][k], lanes_of(LANE(rows[2 * k], 1), LANE(rows[2 * k + 1], 1)));
+            P[i + 1][k] =
+                lanes_sum(P[i + 1][k], lanes_of(LANE(rows[2 * k], 1), LANE(rows[2 * k + 1], 1)));
         }
     }
 }
 
 /* V = S_m' (U + A T) in the place of rows 6 .. of U, and W = (L + T_m' A) S K in that of L. */
-HM_OFTEN int free_factors(const int a, int32_t m, int32_t has_parent, const joint_motion *x, const double *axis,
-                          const double *D, double *U, double *L, double *K)
+HM_OFTEN int free_factors(const int a, int32_t m, int32_t has_parent, const joint_motion *x,
+                          const double *axis, const double *D, double *U, double *L, double *K)
 {
     const int f = 3 - a, p = 9 + a;
     double S[3][BODY_UNKNOWNS], Sm[3][BODY_UNKNOWNS];
@@ -251,8 +267,8 @@ HM_OFTEN void add_two(lanes sum, const int32_t *place, double *x)
 }
 
 /* Adds P - W V to the matrix of the other body; `target` has m x m places of the later ones. */
-HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY_UNKNOWNS][3], const double *U, const double *L,
-                           const int32_t *target, double *value)
+HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY_UNKNOWNS][3],
+                           const double *U, const double *L, const int32_t *target, double *value)
 {
     for (int i = 0; i < BODY_UNKNOWNS; i++, target += m)
         for (int k = 0; k < 3; k++) {
@@ -264,10 +280,11 @@ HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY_UNK
         }
 }
 
-/* Adds T_m' U - W V, L T - W V or -W V for pairs of later places that are not both of the other body, of which the `first`
-   are. */
-HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint_motion *x, const double *U, const double *L,
-                                    const int32_t *target, double *value)
+/* Adds T_m' U - W V, L T - W V or -W V for pairs of later places that are not both of the other
+   body, of which the `first` are. */
+HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint_motion *x,
+                                    const double *U, const double *L, const int32_t *target,
+                                    double *value)
 {
     const int p = 12 - f;
     for (int32_t i = 0; i < m; i++)
@@ -284,13 +301,15 @@ HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint
                 sum = lanes_of(LANE(column[k], 0), LANE(column[k + 1], 0));
             }
             for (int j = 0; j < f; j++)
-                sum = lanes_less(sum, both_lanes(l[2 * (BODY_UNKNOWNS + j)]), lanes_at(u + 2 * (BODY_UNKNOWNS + j)));
+                sum = lanes_less(sum, both_lanes(l[2 * (BODY_UNKNOWNS + j)]),
+                                 lanes_at(u + 2 * (BODY_UNKNOWNS + j)));
             add_two(sum, target + m * i + k, value);
         }
 }
 
 /* Matrix in, factors out. Returns 1 if it is singular. */
-HM_OFTEN int factor_joint(const int a, int32_t m, int32_t has_parent, double *D, const int32_t *target, double *value)
+HM_OFTEN int factor_joint(const int a, int32_t m, int32_t has_parent, double *D,
+                          const int32_t *target, double *value)
 {
     const int p = 9 + a, first = has_parent ? BODY_UNKNOWNS : 0;
     double *const U = D + p * p, *const L = U + p * m, axis[18], K[9];
@@ -316,7 +335,8 @@ HM_OFTEN void free_turn(const int a, const double *axis, const double *q, double
 }
 
 /* S_m' of a wrench x. */
-HM_OFTEN void free_forces(const int a, const double *arm, const double *axis, const double *x, double *force)
+HM_OFTEN void free_forces(const int a, const double *arm, const double *axis, const double *x,
+                          double *force)
 {
     double torque[3];
     cross_product(arm, x + 3, torque);
@@ -324,7 +344,8 @@ HM_OFTEN void free_forces(const int a, const double *arm, const double *axis, co
     for (int k = 0; k < 3 - a; k++) force[k] = a ? dot(axis + 3 * (a + k), torque) : torque[k];
 }
 
-/* e: a motion of the body that meets the right-hand sides c of its rows while the other one rests. */
+/* e: a motion of the body that meets the right-hand sides c of its rows while the other one
+   rests. */
 HM_OFTEN void particular_motion(const int a, const joint_motion *x, const double *c, double *e)
 {
     double across[3];
@@ -344,9 +365,10 @@ HM_OFTEN void subtract_motion(const int p, const double *D, const double *x, dou
     for (int i = 0; i < BODY_UNKNOWNS; i++) y[i] -= product(D + p * i, x);
 }
 
-/* y: own right-hand sides r and c; r becomes r - A e. The right-hand sides x of later places change. */
-HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
-                           double *x)
+/* y: own right-hand sides r and c; r becomes r - A e. The right-hand sides x of later places
+   change. */
+HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t has_parent, const double *D,
+                           const int32_t *column, double *y, double *x)
 {
     const int f = 3 - a, p = 9 + a;
     const double *l = D + p * p + p * m;
@@ -364,22 +386,26 @@ HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t has_parent, const dou
     }
     for (int32_t i = 0; i < m; i += 2, l += 2 * p) {
         lanes sum = lanes_times(both_lanes(e[0]), lanes_at(l));
-        for (int k = 1; k < BODY_UNKNOWNS; k++) sum = lanes_plus(sum, both_lanes(e[k]), lanes_at(l + 2 * k));
-        for (int k = 0; k < f; k++) sum = lanes_plus(sum, both_lanes(force[k]), lanes_at(l + 2 * (BODY_UNKNOWNS + k)));
+        for (int k = 1; k < BODY_UNKNOWNS; k++)
+            sum = lanes_plus(sum, both_lanes(e[k]), lanes_at(l + 2 * k));
+        for (int k = 0; k < f; k++)
+            sum = lanes_plus(sum, both_lanes(force[k]), lanes_at(l + 2 * (BODY_UNKNOWNS + k)));
         x[column[i]] -= LANE(sum, 0);
         x[column[i + 1]] -= LANE(sum, 1);
     }
 }
 
 /* y: motion of the body, then its multipliers, from the solution x of later places. */
-HM_OFTEN void solve_joint(const int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
-                          const double *x)
+HM_OFTEN void solve_joint(const int a, int32_t m, int32_t has_parent, const double *D,
+                          const int32_t *column, double *y, const double *x)
 {
     const int f = 3 - a, p = 9 + a;
     const double *u = D + p * p;
     const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY_UNKNOWNS * p);
-    const double *K = inverse_of(joint), *axis = axes_at(a, joint, OF_END), *axis_m = axes_at(a, joint, OF_MIDDLE);
-    double e[BODY_UNKNOWNS], own[BODY_UNKNOWNS], q[3] = {0.0}, left[3], across[3], other[BODY_UNKNOWNS] = {0.0};
+    const double *K = inverse_of(joint), *axis = axes_at(a, joint, OF_END),
+                 *axis_m = axes_at(a, joint, OF_MIDDLE);
+    double e[BODY_UNKNOWNS], own[BODY_UNKNOWNS], q[3] = {0.0}, left[3], across[3],
+                                                 other[BODY_UNKNOWNS] = {0.0};
     lanes wrench[BODY_UNKNOWNS], force[3];
     particular_motion(a, joint, y + BODY_UNKNOWNS, e);
     free_forces(a, joint->arm[OF_MIDDLE], axis_m, y, left);
@@ -387,8 +413,10 @@ HM_OFTEN void solve_joint(const int a, int32_t m, int32_t has_parent, const doub
     for (int k = 0; k < BODY_UNKNOWNS; k++) wrench[k] = both_lanes(0.0);
     for (int32_t i = 0; i < m; i += 2, u += 2 * p) {
         const lanes later = lanes_of(x[column[i]], x[column[i + 1]]);
-        for (int k = 0; k < BODY_UNKNOWNS; k++) wrench[k] = lanes_plus(wrench[k], later, lanes_at(u + 2 * k));
-        for (int k = 0; k < f; k++) force[k] = lanes_less(force[k], later, lanes_at(u + 2 * (BODY_UNKNOWNS + k)));
+        for (int k = 0; k < BODY_UNKNOWNS; k++)
+            wrench[k] = lanes_plus(wrench[k], later, lanes_at(u + 2 * k));
+        for (int k = 0; k < f; k++)
+            force[k] = lanes_less(force[k], later, lanes_at(u + 2 * (BODY_UNKNOWNS + k)));
     }
     for (int i = 0; i < f; i++)
         for (int k = 0; k < f; k++) q[i] += K[f * i + k] * (LANE(force[k], 0) + LANE(force[k], 1));
@@ -414,19 +442,20 @@ HM_OFTEN void solve_joint(const int a, int32_t m, int32_t has_parent, const doub
 /* Hinges, which chains and robots are made of, have functions of their own. */
 #define HINGE 2
 
-HM_SELDOM static int factor_other_joint(int a, int32_t m, int32_t has_parent, double *D, const int32_t *target, double *value)
+HM_SELDOM static int factor_other_joint(int a, int32_t m, int32_t has_parent, double *D,
+                                        const int32_t *target, double *value)
 {
     return factor_joint(a, m, has_parent, D, target, value);
 }
 
-HM_SELDOM static void reduce_other_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column,
-                                         double *y, double *x)
+HM_SELDOM static void reduce_other_joint(int a, int32_t m, int32_t has_parent, const double *D,
+                                         const int32_t *column, double *y, double *x)
 {
     reduce_joint(a, m, has_parent, D, column, y, x);
 }
 
-HM_SELDOM static void solve_other_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column,
-                                        double *y, const double *x)
+HM_SELDOM static void solve_other_joint(int a, int32_t m, int32_t has_parent, const double *D,
+                                        const int32_t *column, double *y, const double *x)
 {
     solve_joint(a, m, has_parent, D, column, y, x);
 }

@@ -1,9 +1,11 @@
-/* Sparse LU factors of groups of pivots with nearly the same pattern, as bodies and their joints make; zeros fill it.
+/* Sparse LU factors of groups of pivots with nearly the same pattern, as bodies and their joints
+   make; zeros fill it.
 
-   A group of p pivots coupled to m later places, an even number, owns one piece of `value`: the block D (p x p, row by
-   row), then U and L, of each two later places the entries of one pivot after the other. So what two places need is
-   found, and computed, side by side. Factors are those of D, in its place, U itself, and L D^-1. `target` has m x m places
-   for each group. Where the last place is listed twice, its second entries are 0. Orders and pivots are as in lu.c. */
+   A group of p pivots coupled to m later places, an even number, owns one piece of `value`: the
+   block D (p x p, row by row), then U and L, of each two later places the entries of one pivot
+   after the other. So what two places need is found, and computed, side by side. Factors are those
+   of D, in its place, U itself, and L D^-1. `target` has m x m places for each group. Where the
+   last place is listed twice, its second entries are 0. Orders and pivots are as in lu.c. */
 #if DIM == 3
 #include "articulated.h"
 #endif
@@ -22,7 +24,8 @@
 _Static_assert(MOST_IN_GROUP == 5, "groups of these sizes are compiled");
 
 /* x[place[i]] -= the sum of a_k b_ki, k < p, of two places. */
-HM_OFTEN void subtract_from_two(const int p, const lanes *a, const double *b, const int32_t *place, double *x)
+HM_OFTEN void subtract_from_two(const int p, const lanes *a, const double *b, const int32_t *place,
+                                double *x)
 {
     lanes sum = lanes_times(a[0], lanes_at(b));
     UNROLL
@@ -31,7 +34,7 @@ HM_OFTEN void subtract_from_two(const int p, const lanes *a, const double *b, co
     x[place[1]] -= LANE(sum, 1);
 }
 
-/* One group. These functions are compiled for each p, with what is used again in registers.                     */
+/* One group. These functions are compiled for each p, with what is used again in registers. */
 HM_OFTEN int factor_group(const int p, int32_t m, double *D, const int32_t *target, double *value)
 {
     double *const U = D + p * p, *const L = U + p * m;
@@ -65,13 +68,15 @@ HM_OFTEN int factor_group(const int p, int32_t m, double *D, const int32_t *targ
         for (int lane = 0; lane < 2; lane++) {
             UNROLL
             for (int k = 0; k < p; k++) x[k] = both_lanes(l[2 * k + lane]);
-            for (const double *u = U; u < L; u += 2 * p, target += 2) subtract_from_two(p, x, u, target, value);
+            for (const double *u = U; u < L; u += 2 * p, target += 2)
+                subtract_from_two(p, x, u, target, value);
         }
     }
     return 0;
 }
 
-HM_OFTEN void reduce_group(const int p, int32_t m, const double *D, const int32_t *column, const double *y, double *x)
+HM_OFTEN void reduce_group(const int p, int32_t m, const double *D, const int32_t *column,
+                           const double *y, double *x)
 {
     const double *l = D + p * p + p * m;
     lanes own[MOST_IN_GROUP];
@@ -80,7 +85,8 @@ HM_OFTEN void reduce_group(const int p, int32_t m, const double *D, const int32_
     for (int32_t i = 0; i < m; i += 2, l += 2 * p) subtract_from_two(p, own, l, column + i, x);
 }
 
-HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t *column, double *y, const double *x)
+HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t *column, double *y,
+                          const double *x)
 {
     const double *u = D + p * p;
     lanes sum[MOST_IN_GROUP];
@@ -107,18 +113,19 @@ HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t
 }
 
 /* A group of a body and a joint with a axes has 9 + a pivots. */
-#define OF_SIZE(p, call, of_joint)                                                                             \
-    switch (p) {                                                                                               \
-    case 1: call(1); break;                                                                                    \
-    case 2: call(2); break;                                                                                    \
-    case 3: call(3); break;                                                                                    \
-    case 4: call(4); break;                                                                                    \
-    case 5: call(5); break;                                                                                    \
-    default: of_joint;                                                                                         \
+#define OF_SIZE(p, call, of_joint)                                                                 \
+    switch (p) {                                                                                   \
+    case 1: call(1); break;                                                                        \
+    case 2: call(2); break;                                                                        \
+    case 3: call(3); break;                                                                        \
+    case 4: call(4); break;                                                                        \
+    case 5: call(5); break;                                                                        \
+    default: of_joint;                                                                             \
     }
 #if DIM == 3
-#define BY_JOINT(name, ...)                                                                                    \
-    (p == LEAST_WITH_JOINT + HINGE ? name##_joint(HINGE, __VA_ARGS__) : name##_other_joint(p - LEAST_WITH_JOINT, __VA_ARGS__))
+#define BY_JOINT(name, ...)                                                                        \
+    (p == LEAST_WITH_JOINT + HINGE ? name##_joint(HINGE, __VA_ARGS__)                              \
+                                   : name##_other_joint(p - LEAST_WITH_JOINT, __VA_ARGS__))
 #define FACTOR_JOINT fails = BY_JOINT(factor, m, group[2], D, target, value)
 #define REDUCE_JOINT BY_JOINT(reduce, m, group[2], D, column, x + group[0], x)
 #define SOLVE_JOINT BY_JOINT(solve, m, group[2], D, column, x + group[0], x)
@@ -128,11 +135,12 @@ HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t
 #define SOLVE_JOINT break
 #endif
 
-/* Groups of islands first .. last - 1. value (modified): matrix in, factors out, pivots inverted. Returns 0, or 1 at a
-   pivot that is zero or not finite. */
+/* Groups of islands first .. last - 1. value (modified): matrix in, factors out, pivots inverted.
+   Returns 0, or 1 at a pivot that is zero or not finite. */
 int32_t hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last, double *value)
 {
-    const int32_t *begin = lu->lu_island + 4 * first, *end = lu->lu_group + 3 * lu->lu_island[4 * last + 1];
+    const int32_t *begin = lu->lu_island + 4 * first,
+                  *end = lu->lu_group + 3 * lu->lu_island[4 * last + 1];
     const int32_t *group = lu->lu_group + 3 * begin[1], *target = lu->lu_target + begin[2];
     double *D = value + lu->lu_ptr[begin[0]];
     for (; group < end; group += 3) {
@@ -148,9 +156,11 @@ int32_t hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t la
 }
 
 /* Replaces the right-hand side x by the solution, in elimination order. */
-void hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last, const double *value, double *x)
+void hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last, const double *value,
+                    double *x)
 {
-    const int32_t *begin = lu->lu_island + 4 * first, *end = lu->lu_group + 3 * lu->lu_island[4 * last + 1];
+    const int32_t *begin = lu->lu_island + 4 * first,
+                  *end = lu->lu_group + 3 * lu->lu_island[4 * last + 1];
     const int32_t *group = lu->lu_group + 3 * begin[1], *column = lu->lu_column + begin[3];
     const double *D = value + lu->lu_ptr[begin[0]];
     for (; group < end; group += 3) {

@@ -13,10 +13,11 @@ static inline double hm_length(int32_t n, const double *u)
     return n == 1 ? fabs(u[0]) : sqrt(sum);
 }
 
-/* Q R = A P by Householder's reflections with column pivoting. A (n x m) holds R above the diagonal and, with `head` (m), the
-   vectors of the reflections; order (m): the column of A that stands at each place. Returns the rank: as many pivots as
-   exceed `dependent` times the first one.                                                                       */
-HM_SELDOM static int32_t hm_triangulate(int32_t n, int32_t m, double *A, double *head, int32_t *order, double dependent)
+/* Q R = A P by Householder's reflections with column pivoting. A (n x m) holds R above the diagonal
+   and, with `head` (m), the vectors of the reflections; order (m): the column of A that stands at
+   each place. Returns the rank: as many pivots as exceed `dependent` times the first one. */
+HM_SELDOM static int32_t hm_triangulate(int32_t n, int32_t m, double *A, double *head,
+                                        int32_t *order, double dependent)
 {
     const int32_t most = n < m ? n : m;
     double first = 0.0;
@@ -55,7 +56,8 @@ HM_SELDOM static int32_t hm_triangulate(int32_t n, int32_t m, double *A, double 
 }
 
 /* b (n) becomes Q' b, or Q b if `back`. */
-HM_SELDOM static void hm_reflect(int32_t n, int32_t m, int32_t rank, const double *A, const double *head, int back, double *b)
+HM_SELDOM static void hm_reflect(int32_t n, int32_t m, int32_t rank, const double *A,
+                                 const double *head, int back, double *b)
 {
     for (int32_t i = 0; i < rank; i++) {
         const int32_t k = back ? rank - 1 - i : i;
@@ -67,14 +69,16 @@ HM_SELDOM static void hm_reflect(int32_t n, int32_t m, int32_t rank, const doubl
     }
 }
 
-/* The x (n) of least size among those with the least |A x - b|; A and b are overwritten, and so are head (3 n) and order (n).
-   Of the rank only what exceeds `dependent` counts.                                                             */
-HM_SELDOM static void hm_least_squares(int32_t n, double *A, double *b, double *x, double *head, int32_t *order, double dependent)
+/* The x (n) of least size among those with the least |A x - b|; A and b are overwritten, and so are
+   head (3 n) and order (n). Of the rank only what exceeds `dependent` counts. */
+HM_SELDOM static void hm_least_squares(int32_t n, double *A, double *b, double *x, double *head,
+                                       int32_t *order, double dependent)
 {
     const int32_t rank = hm_triangulate(n, n, A, head, order, dependent);
     double *lead = head + n, *y = head + 2 * n;
     hm_reflect(n, n, rank, A, head, 0, b);
-    for (int32_t k = rank - 1; k >= 0 && rank < n; k--) { /* what stands behind the square part turns into it */
+    for (int32_t k = rank - 1; k >= 0 && rank < n;
+         k--) { /* what stands behind the square part turns into it */
         double *row = A + k * n, tail = 0.0;
         for (int32_t c = rank; c < n; c++) tail += row[c] * row[c];
         lead[k] = 0.0;

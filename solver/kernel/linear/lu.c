@@ -1,17 +1,20 @@
-/* Sparse LU factors with a pattern and an elimination order that were fixed when the model was assembled.
+/* Sparse LU factors with a pattern and an elimination order that were fixed when the model was
+   assembled.
 
    The pattern is symmetric, the values are not. Pivot k owns one contiguous piece of `value`:
-   [diagonal, U_k1 .. U_km, L_1k .. L_mk]; `column` lists the m later places it is coupled to, and `target`
-   says where each of the m*m products of its update goes. No pivoting: a regularised KKT matrix whose rows
-   come after one of their nodes is factorisable in any such order (Vanderbei 1995, quasidefinite matrices).  */
+   [diagonal, U_k1 .. U_km, L_1k .. L_mk]; `column` lists the m later places it is coupled to, and
+   `target` says where each of the m*m products of its update goes. No pivoting: a regularised KKT
+   matrix whose rows come after one of their nodes is factorisable in any such order (Vanderbei
+   1995, quasidefinite matrices). */
 #include "internal.h"
 
 #include <math.h>
 #include <stddef.h>
 
-/* x[place[i]] -= factor y[i], i = 0 .. m - 1. Most pivots of a chain have one or two neighbours: there a loop costs
-   more than what is in it.                                                                                   */
-static inline void subtract_products(uint32_t m, const int32_t *place, double factor, const double *y, double *x)
+/* x[place[i]] -= factor y[i], i = 0 .. m - 1. Most pivots of a chain have one or two neighbours:
+   there a loop costs more than what is in it. */
+static inline void subtract_products(uint32_t m, const int32_t *place, double factor,
+                                     const double *y, double *x)
 {
     if (m > 2) {
         uint32_t i = 0;
@@ -28,18 +31,22 @@ static inline void subtract_products(uint32_t m, const int32_t *place, double fa
 }
 
 /* start - sum of y[i] x[place[i]]. */
-static inline double less_products(double start, uint32_t m, const int32_t *place, const double *y, const double *x)
+static inline double less_products(double start, uint32_t m, const int32_t *place, const double *y,
+                                   const double *x)
 {
     if (m == 2) return start - y[0] * x[place[0]] - y[1] * x[place[1]];
     for (uint32_t i = 0; i < m; i++) start -= y[i] * x[place[i]];
     return start;
 }
 
-static inline uint32_t neighbours(const int32_t *ptr, int32_t k) { return ((uint32_t)(ptr[k + 1] - ptr[k]) - 1) >> 1; }
+static inline uint32_t neighbours(const int32_t *ptr, int32_t k)
+{ return ((uint32_t)(ptr[k + 1] - ptr[k]) - 1) >> 1; }
 
-/* Pivots begin .. end - 1, an island or all. value (modified): matrix in, factors out, pivots inverted; `target` begins
-   at the first pivot. Returns 0, or 1 at a pivot that is zero or not finite.                                   */
-int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value)
+/* Pivots begin .. end - 1, an island or all. value (modified): matrix in, factors out, pivots
+   inverted; `target` begins at the first pivot. Returns 0, or 1 at a pivot that is zero or not
+   finite. */
+int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
+                     double *value)
 {
     for (int32_t k = begin; k < end; k++) {
         double *diagonal = value + ptr[k];
@@ -49,16 +56,17 @@ int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32
         if (!(fabs(*diagonal) > 1e-300 && fabs(*diagonal) < 1e300)) return 1;
         const double inverse = 1.0 / *diagonal;
         *diagonal = inverse;
-        for (uint32_t i = 0; i < m; i++, target += m) subtract_products(m, target, lower[i] *= inverse, upper, value);
+        for (uint32_t i = 0; i < m; i++, target += m)
+            subtract_products(m, target, lower[i] *= inverse, upper, value);
     }
     return 0;
 }
 
-/* Likewise of a matrix most of whose stored entries are 0, since few contacts are closed. Those of pivot k that are not go
-   to the front, count[k] of them in U and L each, and their columns to the front of its part of `live`, which begins where
-   that of `column` does. */
-int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const int32_t *target,
-                          double *value, int32_t *count, int32_t *live)
+/* Likewise of a matrix most of whose stored entries are 0, since few contacts are closed. Those of
+   pivot k that are not go to the front, count[k] of them in U and L each, and their columns to the
+   front of its part of `live`, which begins where that of `column` does. */
+int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
+                          const int32_t *target, double *value, int32_t *count, int32_t *live)
 {
     column += (ptr[begin] - begin) / 2, live += (ptr[begin] - begin) / 2;
     for (int32_t k = begin; k < end; k++) {
@@ -74,7 +82,8 @@ int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const 
             upper[n] = upper[i], lower[n] = lower[i] * inverse, live[n++] = (int32_t)i;
         }
         for (int32_t i = 0; i < n; i++)
-            for (int32_t j = 0; j < n; j++) value[target[(int32_t)m * live[i] + live[j]]] -= lower[i] * upper[j];
+            for (int32_t j = 0; j < n; j++)
+                value[target[(int32_t)m * live[i] + live[j]]] -= lower[i] * upper[j];
         for (int32_t i = 0; i < n; i++) live[i] = column[live[i]];
         count[k] = n;
         column += m, live += m, target += m * m;
@@ -82,12 +91,13 @@ int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const 
     return 0;
 }
 
-/* Solves L U x = rhs in place, of pivots begin .. end - 1; x (all) holds the right-hand side, then the solution, in
-   elimination order. `count` is NULL where all entries are stored. */
-HM_OFTEN void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *column,
-                         const double *value, double *x)
+/* Solves L U x = rhs in place, of pivots begin .. end - 1; x (all) holds the right-hand side, then
+   the solution, in elimination order. `count` is NULL where all entries are stored. */
+HM_OFTEN void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count,
+                    const int32_t *column, const double *value, double *x)
 {
-    column += (ptr[begin] - begin) / 2; /* the pivots before have one diagonal and two entries a column each */
+    column += (ptr[begin] - begin)
+              / 2; /* the pivots before have one diagonal and two entries a column each */
     for (int32_t k = begin; k < end; k++) {
         const uint32_t m = neighbours(ptr, k);
         subtract_products(count ? (uint32_t)count[k] : m, column, x[k], value + ptr[k] + 1 + m, x);
@@ -96,17 +106,19 @@ HM_OFTEN void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_
     for (int32_t k = end - 1; k >= begin; k--) {
         const uint32_t m = neighbours(ptr, k);
         column -= m;
-        x[k] = less_products(x[k], count ? (uint32_t)count[k] : m, column, value + ptr[k] + 1, x) * value[ptr[k]];
+        x[k] = less_products(x[k], count ? (uint32_t)count[k] : m, column, value + ptr[k] + 1, x)
+               * value[ptr[k]];
     }
 }
 
-void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x)
+void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
+                 const double *value, double *x)
 {
     solve(begin, end, ptr, NULL, column, value, x);
 }
 
-void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *live,
-                      const double *value, double *x)
+void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count,
+                      const int32_t *live, const double *value, double *x)
 {
     solve(begin, end, ptr, count, live, value, x);
 }

@@ -1,25 +1,29 @@
-/* Forms and coincidences in the tangent: sums over each unknown, a node or, in a reduced step, the turn of a body.
+/* Forms and coincidences in the tangent: sums over each unknown, a node or, in a reduced step, the
+   turn of a body.
 
-   The part of a link u that a body carries, U = sum alpha d_i over its directors, turns with it: delta U = spin x U. So
-   a form u . w has the gradient  U x w + W x u  over the turn of a body, and the second derivative
+   The part of a link u that a body carries, U = sum alpha d_i over its directors, turns with it:
+   delta U = spin x U. So a form u . w has the gradient  U x w + W x u  over the turn of a body, and
+   the second derivative
 
        (U . W') 1 - W' U' + (W . U') 1 - U' W'
 
-   over those of two bodies, U and W taken in the middle, U' and W' at the end.                                  */
+   over those of two bodies, U and W taken in the middle, U' and W' at the end. */
 #ifndef HOLONOM_REDUCED_ROWS_H
 #define HOLONOM_REDUCED_ROWS_H
 
 #include "body_turns.h"
 #include "forms.h"
 
-/* Free entries of a form with the same unknown: the parts of links that a body carries, or one point. */
+/* Free entries of a form with the same unknown: the parts of links that a body carries, or one
+   point. */
 typedef struct form_side {
     int turns;
     int32_t entry;
     double u[2][DIM], w[2][DIM]; /* in the middle, at the end */
 } form_side;
 
-static inline int is_axes_row(const context *c, int32_t i) { return is_reduced(c) && c->m->form_kind[c->m->row_form[i]] & FORM_AXES; }
+static inline int is_axes_row(const context *c, int32_t i)
+{ return is_reduced(c) && c->m->form_kind[c->m->row_form[i]] & FORM_AXES; }
 
 /* Entry behind those of form f with the unknown of entry e. */
 HM_OFTEN int32_t behind_side(const context *c, int32_t f, int32_t e)
@@ -30,14 +34,18 @@ HM_OFTEN int32_t behind_side(const context *c, int32_t f, int32_t e)
     return e;
 }
 
-/* Part x of a link that directors carry, at least one: entries begin .. end - 1 with these coefficients. */
-HM_OFTEN void carried(const context *c, int32_t begin, int32_t end, int32_t at, int32_t turn_at, const double *directors, double *x)
+/* Part x of a link that directors carry, at least one: entries begin .. end - 1 with these
+   coefficients. */
+HM_OFTEN void carried(const context *c, int32_t begin, int32_t end, int32_t at, int32_t turn_at,
+                      const double *directors, double *x)
 {
     const double *factor = c->number + at;
     const int32_t *node = c->m->form_node;
     EACH(k) x[k] = factor[begin] * directors[DIM * node[begin] + k];
-    for (int32_t e = begin + 1; e < end; e++) EACH(k) x[k] += factor[e] * directors[DIM * node[e] + k];
-    for (int32_t e = begin; DIM == 2 && turn_at >= 0 && e < end; e++) add_turned(c->number[turn_at + e], directors + DIM * node[e], x);
+    for (int32_t e = begin + 1; e < end; e++)
+        EACH(k) x[k] += factor[e] * directors[DIM * node[e] + k];
+    for (int32_t e = begin; DIM == 2 && turn_at >= 0 && e < end; e++)
+        add_turned(c->number[turn_at + e], directors + DIM * node[e], x);
 }
 
 /* The side that begins with entry e of form f; returns the entry behind it. */
@@ -56,8 +64,10 @@ static int32_t next_side(const context *c, int32_t f, int32_t e, form_side *x)
     return end;
 }
 
-/* Gradient of form f over a side, with its links u and w, in the middle (at = 0) or at the end; returns its components. */
-HM_OFTEN int side_gradient(const context *c, int32_t f, const form_side *x, int at, const double *u, const double *w, double *g)
+/* Gradient of form f over a side, with its links u and w, in the middle (at = 0) or at the end;
+   returns its components. */
+HM_OFTEN int side_gradient(const context *c, int32_t f, const form_side *x, int at, const double *u,
+                           const double *w, double *g)
 {
     double other[DIM];
     if (!x->turns) {
@@ -70,7 +80,8 @@ HM_OFTEN int side_gradient(const context *c, int32_t f, const form_side *x, int 
     return TURNING;
 }
 
-/* x += the matrix of factor times the cross product with a: TURNING x DIM, or the other way round and negative. */
+/* x += the matrix of factor times the cross product with a: TURNING x DIM, or the other way round
+   and negative. */
 static inline void add_cross(double factor, const double *a, int turned_back, double *x)
 {
 #if DIM == 2
@@ -86,7 +97,8 @@ static inline void add_cross(double factor, const double *a, int turned_back, do
 }
 
 /* Likewise to value; its diagonal has slots, too. */
-HM_OFTEN const int32_t *scatter_cross(double factor, const double *a, const int32_t *slot, double *value)
+HM_OFTEN const int32_t *scatter_cross(double factor, const double *a, const int32_t *slot,
+                                      double *value)
 {
 #if DIM == 2
     value[slot[0]] -= factor * a[1];
@@ -100,14 +112,16 @@ HM_OFTEN const int32_t *scatter_cross(double factor, const double *a, const int3
     return slot + DIM * TURNING;
 }
 
-/* Second derivative of form f over sides p and q, times a factor: x, overwritten, row by row; returns the number of its
-   elements, or -1 if it is one number times 1, which is then x[0]. */
-static int side_stiffness(const context *c, int32_t f, double factor, const form_side *p, const form_side *q, double *x)
+/* Second derivative of form f over sides p and q, times a factor: x, overwritten, row by row;
+   returns the number of its elements, or -1 if it is one number times 1, which is then x[0]. */
+static int side_stiffness(const context *c, int32_t f, double factor, const form_side *p,
+                          const form_side *q, double *x)
 {
     const holonom_model *m = c->m;
     const double *alpha = c->number + m->alpha_at, *beta = c->number + m->beta_at;
     const int turned = DIM == 2 && m->form_kind[f] & FORM_TURNED;
-    const double *alpha_turn = c->number + m->alpha_turn_at, *beta_turn = c->number + m->beta_turn_at;
+    const double *alpha_turn = c->number + m->alpha_turn_at,
+                 *beta_turn = c->number + m->beta_turn_at;
     const int size = (p->turns ? TURNING : DIM) * (q->turns ? TURNING : DIM);
     for (int k = 0; k < size; k++) x[k] = 0.0;
     if (p->turns && q->turns) {
@@ -115,17 +129,24 @@ static int side_stiffness(const context *c, int32_t f, double factor, const form
 #if DIM == 2
         x[0] = along;
 #else
-        EACH(k) EACH(l) x[3 * k + l] = -factor * (q->w[1][k] * p->u[0][l] + q->u[1][k] * p->w[0][l]);
+        EACH(k)
+            EACH(l) x[3 * k + l] = -factor * (q->w[1][k] * p->u[0][l] + q->u[1][k] * p->w[0][l]);
         EACH(k) x[4 * k] += along;
 #endif
     } else if (p->turns) {
         add_cross(factor * beta[q->entry], p->u[0], 0, x);
         add_cross(factor * alpha[q->entry], p->w[0], 0, x);
-        if (turned) EACH(k) x[k] += factor * (beta_turn[q->entry] * p->u[0][k] + alpha_turn[q->entry] * p->w[0][k]);
+        if (turned)
+            EACH(k)
+                x[k] +=
+                    factor * (beta_turn[q->entry] * p->u[0][k] + alpha_turn[q->entry] * p->w[0][k]);
     } else if (q->turns) {
         add_cross(factor * alpha[p->entry], q->w[1], 1, x);
         add_cross(factor * beta[p->entry], q->u[1], 1, x);
-        if (turned) EACH(k) x[k] += factor * (alpha_turn[p->entry] * q->w[1][k] + beta_turn[p->entry] * q->u[1][k]);
+        if (turned)
+            EACH(k)
+                x[k] +=
+                    factor * (alpha_turn[p->entry] * q->w[1][k] + beta_turn[p->entry] * q->u[1][k]);
     } else {
         double same, quarter;
         pair_stiffness(c, f, p->entry, q->entry, &same, &quarter);
@@ -151,14 +172,14 @@ static inline void add_turning(double factor, const double *a, const double *b, 
 #endif
 }
 
-/* A row that holds directions a and b, of the body that comes first and of another one or the ground. In a step these turn
-   by theta_a and theta_b, so that
+/* A row that holds directions a and b, of the body that comes first and of another one or the
+   ground. In a step these turn by theta_a and theta_b, so that
 
        a . b  changes by  (theta_a - theta_b) . (a x b)
 
    with both in the middle, and the torques a x b act on the first body and against the other. */
 typedef struct axes {
-    int32_t first, second; /* components of the turns; second -1: the ground                                      */
+    int32_t first, second; /* components of the turns; second -1: the ground */
     double a[DIM], b[DIM];
 } axes;
 
@@ -166,7 +187,8 @@ typedef struct axes {
 static void turn_axes(const context *c, int32_t f, const double *directors, axes *x)
 {
     const holonom_model *m = c->m;
-    const int32_t kind = m->form_kind[f], begin = m->form_ptr[f], end = begin + m->form_free[f], swapped = kind & FORM_AXES_OF_W;
+    const int32_t kind = m->form_kind[f], begin = m->form_ptr[f], end = begin + m->form_free[f],
+                  swapped = kind & FORM_AXES_OF_W;
     const int32_t of_u = m->alpha_at, of_w = m->beta_at, turned = DIM == 2 && kind & FORM_TURNED;
     const int32_t u_turn = turned ? m->alpha_turn_at : -1, w_turn = turned ? m->beta_turn_at : -1;
     const int32_t middle = x->second < 0 ? end : behind_side(c, f, begin);
@@ -180,10 +202,12 @@ HM_OFTEN axes axes_of(const context *c, int32_t f, const double *directors)
 {
     const holonom_model *m = c->m;
     const int32_t swapped = m->form_kind[f] & FORM_AXES_OF_W, *node = m->form_node + m->form_ptr[f];
-    const double *a = (swapped ? c->k.w0 : c->k.u0) + DIM * f, *b = (swapped ? c->k.u0 : c->k.w0) + DIM * f;
+    const double *a = (swapped ? c->k.w0 : c->k.u0) + DIM * f,
+                 *b = (swapped ? c->k.u0 : c->k.w0) + DIM * f;
     axes x;
     x.first = DIM * first_of_unknown(c, node[0]);
-    x.second = m->form_kind[f] & FORM_LINEAR ? -1 : DIM * first_of_unknown(c, node[m->form_free[f] - 1]);
+    x.second =
+        m->form_kind[f] & FORM_LINEAR ? -1 : DIM * first_of_unknown(c, node[m->form_free[f] - 1]);
     if (!c->at_state || x.second < 0) turn_axes(c, f, directors, &x);
     else EACH(k) x.a[k] = a[k], x.b[k] = b[k];
     return x;
@@ -226,7 +250,8 @@ static void axes_row_residual(const context *c, int32_t i)
 }
 
 /* Its torques by a multiplier, times a factor, to value. */
-HM_OFTEN const int32_t *scatter_torques(double factor, const axes *x, const int32_t *slot, double *value)
+HM_OFTEN const int32_t *scatter_torques(double factor, const axes *x, const int32_t *slot,
+                                        double *value)
 {
     double across[TURNING];
     cross_product(x->a, x->b, across);
@@ -235,7 +260,8 @@ HM_OFTEN const int32_t *scatter_torques(double factor, const axes *x, const int3
     return slot;
 }
 
-/* Its tangent. What either body's turn does to its own torque goes to `bend`; at a state there are no multipliers. */
+/* Its tangent. What either body's turn does to its own torque goes to `bend`; at a state there are
+   no multipliers. */
 static void axes_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
 {
     const double factor = c->theta * c->h * c->k.mu[i];
@@ -249,7 +275,9 @@ static void axes_row_tangent(const context *c, int32_t i, const int32_t *slot, d
         if (x.second >= 0) {
             add_turning(factor, x.a, y.b, other);
             for (int k = 0; k < TURNING * TURNING; k++) c->k.bend[x.second + k] -= other[k];
-            if (!is_lean(c)) slot = scatter(TURNING * TURNING, own, scatter(TURNING * TURNING, other, slot, value), value);
+            if (!is_lean(c))
+                slot = scatter(TURNING * TURNING, own,
+                               scatter(TURNING * TURNING, other, slot, value), value);
         }
     } else if (x.second >= 0 && !is_lean(c)) slot += 2 * TURNING * TURNING;
     scatter_torques(1.0, c->at_state ? &x : &y, scatter_torques(c->h, &x, slot, value), value);
@@ -283,11 +311,13 @@ static void row_tangent(const context *c, int32_t i, const int32_t *slot, double
         const int size = side_gradient(c, f, sides + p, 0, g.um, g.wm, x);
         for (int k = 0; k < size; k++) value[*slot++] += c->h * x[k];
     }
-    for (int p = 0; p < n; p++) slot = scatter(side_gradient(c, f, sides + p, 1, u1, w1, x), x, slot, value);
+    for (int p = 0; p < n; p++)
+        slot = scatter(side_gradient(c, f, sides + p, 1, u1, w1, x), x, slot, value);
 }
 
 /* Gradients of coincidence j: of each side those in the middle, h times, and those at the end. */
-static const int32_t *coincidence_tangent(const context *c, int32_t j, const int32_t *slot, double *value)
+static const int32_t *coincidence_tangent(const context *c, int32_t j, const int32_t *slot,
+                                          double *value)
 {
     const holonom_model *m = c->m;
     const int32_t f = m->coincidence_form[j], end = m->form_ptr[f] + m->form_free[f];
@@ -307,7 +337,8 @@ static const int32_t *coincidence_tangent(const context *c, int32_t j, const int
             EACH(k) value[*slot++] += alpha;
         } else {
 #if DIM == 2
-            const double turn = c->number[m->alpha_turn_at + begin], block[4] = {alpha, -turn, turn, alpha};
+            const double turn = c->number[m->alpha_turn_at + begin],
+                         block[4] = {alpha, -turn, turn, alpha};
             EACH(i) EACH(k) value[*slot++] += c->h * block[DIM * k + i];
             slot = scatter(4, block, slot, value);
 #endif

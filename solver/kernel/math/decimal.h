@@ -1,11 +1,16 @@
-/* Decimal digits of doubles, exact, and rounded half to even as C's printf and Python round them; no locale, no C library. */
+/* Decimal digits of doubles, exact, and rounded half to even as C's printf and Python round them;
+   no locale, no C library. */
 #ifndef HOLONOM_DECIMAL_H
 #define HOLONOM_DECIMAL_H
 
 #include <stdint.h>
 #include <string.h>
 
-enum { BILLION = 1000000000, LIMBS = 90, LIMB_DIGITS = 9 }; /* 2^-1075 and its odd multiples have up to 770 digits */
+enum {
+    BILLION = 1000000000,
+    LIMBS = 90,
+    LIMB_DIGITS = 9
+}; /* 2^-1075 and its odd multiples have up to 770 digits */
 
 /* digit[0].digit[1] digit[2] ... 10^exponent; those behind `count` are 0. */
 typedef struct decimal {
@@ -43,7 +48,8 @@ static void round_decimal(decimal *d, int n)
 {
     int beyond = 0;
     for (int k = n < 0 ? 0 : n + 1; k < d->count; k++) beyond |= d->digit[k];
-    const int next = n < 0 ? 0 : digit_at(d, n), is_up = next > 5 || (next == 5 && (beyond || digit_at(d, n - 1) & 1));
+    const int next = n < 0 ? 0 : digit_at(d, n),
+              is_up = next > 5 || (next == 5 && (beyond || digit_at(d, n - 1) & 1));
     if (n < d->count) d->count = n < 0 ? 0 : n;
     if (!is_up) return;
     while (n > 0 && d->digit[n - 1] == 9) d->digit[--n] = 0;
@@ -60,7 +66,8 @@ static void round_decimal(decimal *d, int n)
 static int compare_decimals(const decimal *a, const decimal *b)
 {
     int difference = a->exponent - b->exponent;
-    for (int k = 0; !difference && (k < a->count || k < b->count); k++) difference = digit_at(a, k) - digit_at(b, k);
+    for (int k = 0; !difference && (k < a->count || k < b->count); k++)
+        difference = digit_at(a, k) - digit_at(b, k);
     return difference;
 }
 
@@ -79,7 +86,8 @@ static void decimal_of(double x, int is_shortest, decimal *d)
     decimal low, high;
     set_decimal(&low, (is_power ? 4 * m : 2 * m) - 1, is_power ? e - 2 : e - 1);
     set_decimal(&high, 2 * m + 1, e - 1);
-    for (int n = 1, ends = !(m & 1); n <= 17; n++) { /* of an even m, numbers half way round to it */
+    for (int n = 1, ends = !(m & 1); n <= 17;
+         n++) { /* of an even m, numbers half way round to it */
         *d = exact;
         round_decimal(d, n);
         if (compare_decimals(&low, d) < ends && compare_decimals(d, &high) < ends) break;

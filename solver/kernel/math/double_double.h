@@ -1,4 +1,5 @@
-/* Unevaluated sums of two doubles: twice the digits with IEEE additions and multiplications alone (Dekker 1971, Knuth). */
+/* Unevaluated sums of two doubles: twice the digits with IEEE additions and multiplications alone
+   (Dekker 1971, Knuth). */
 #ifndef HOLONOM_DOUBLE_DOUBLE_H
 #define HOLONOM_DOUBLE_DOUBLE_H
 

@@ -1,4 +1,5 @@
-/* Elementary functions with the same bits on every machine, to less than 1 ulp. Special values are those of C99. */
+/* Elementary functions with the same bits on every machine, to less than 1 ulp. Special values are
+   those of C99. */
 #ifndef HOLONOM_ELEMENTARY_H
 #define HOLONOM_ELEMENTARY_H
 

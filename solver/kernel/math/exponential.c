@@ -1,15 +1,21 @@
-/* Exponentials, logarithms, powers and hyperbolic functions. Systems' own differ in the last bit, and with them the
-   motion; these use IEEE additions, multiplications, divisions and square roots alone. */
+/* Exponentials, logarithms, powers and hyperbolic functions. Systems' own differ in the last bit,
+   and with them the motion; these use IEEE additions, multiplications, divisions and square roots
+   alone. */
 #include "elementary.h"
 #include "exponential_tables.h"
 
-/* exp(x) = (hi + lo) 2^n for |x| < 760, by 2^(j/64) and a series in the rest r, which is below 0.0055. */
+/* exp(x) = (hi + lo) 2^n for |x| < 760, by 2^(j/64) and a series in the rest r, which is below
+   0.0055. */
 static pair power_of_e(pair x, int *n)
 {
     const int k = nearest(x.hi * 0x1.71547652b82fep+6); /* 64/ln 2 */
     const pair table = ROOTS_OF_TWO[k & 63];
-    const double r = (x.hi - k * LN2_OVER_64[0]) + (x.lo - k * LN2_OVER_64[1]), q = r * r; /* the first is exact */
-    const double series = r + q * ((0.5 + r * (1.0 / 6.0)) + q * ((1.0 / 24.0 + r * (1.0 / 120.0)) + q * (1.0 / 720.0)));
+    const double r = (x.hi - k * LN2_OVER_64[0]) + (x.lo - k * LN2_OVER_64[1]),
+                 q = r * r; /* the first is exact */
+    const double series = r
+                          + q
+                                * ((0.5 + r * (1.0 / 6.0))
+                                   + q * ((1.0 / 24.0 + r * (1.0 / 120.0)) + q * (1.0 / 720.0)));
     *n = (k - (k & 63)) / 64;
     return sum_of_ordered(table.hi, table.lo + table.hi * series);
 }
@@ -22,9 +28,11 @@ static pair split_logarithm(double x, pair *r)
     const uint64_t above = bits_of(x) - bits_of(0.6875);
     const int j = (int)(above >> 45) & 127, k = (int)((int64_t)above >> 52);
     const double m = from_bits(bits_of(x) - ((above >> 52) << 52)), mh = leading(m);
-    const double head = mh * RECIPROCALS[j] - 1.0, tail = (m - mh) * RECIPROCALS[j]; /* both exact */
+    const double head = mh * RECIPROCALS[j] - 1.0,
+                 tail = (m - mh) * RECIPROCALS[j]; /* both exact */
     *r = sum_of_ordered(head, tail);
-    return (pair){(k + scale) * LN2[0].hi + LOGARITHMS[j].hi, (k + scale) * LN2[0].lo + LOGARITHMS[j].lo};
+    return (pair){(k + scale) * LN2[0].hi + LOGARITHMS[j].hi,
+                  (k + scale) * LN2[0].lo + LOGARITHMS[j].lo};
 }
 
 /* log(1 + r) - r + r^2/2 for |r| < 2^-7. */
@@ -80,7 +88,8 @@ double hm_pow(double x, double y)
         const int whole = wholeness(y);
         if (signbit(x) && whole == 1) sign = -1.0;
         if (isinf(y)) return size == 1.0 ? 1.0 : (size > 1.0) == (y > 0.0) ? INFINITY : 0.0;
-        if (size == 0.0 || isinf(x)) return (size == 0.0) == (y > 0.0) ? sign * 0.0 : sign * INFINITY;
+        if (size == 0.0 || isinf(x))
+            return (size == 0.0) == (y > 0.0) ? sign * 0.0 : sign * INFINITY;
         if (!whole) return NAN;
     }
     const pair l = logarithm(size);
@@ -93,14 +102,15 @@ double hm_pow(double x, double y)
     return sign * scaled(e.hi, n);
 }
 
-/* ----------------------------------------------------------------------------------------------------- hyperbolic */
+/* ----------------------------------------------------------------------------------- hyperbolic */
 
 /* sinh x - x and cosh x - 1 for |x| < 1. */
 static double sinh_terms(double x)
 {
     const double q = x * x, p = q * q;
     const double low = (1.0 / 6.0 + q * (1.0 / 120.0)) + p * (1.0 / 5040.0 + q * (1.0 / 362880.0));
-    const double high = (1.0 / 39916800.0 + q * (1.0 / 6227020800.0)) + p * (1.0 / 1307674368000.0 + q * (1.0 / 355687428096000.0));
+    const double high = (1.0 / 39916800.0 + q * (1.0 / 6227020800.0))
+                        + p * (1.0 / 1307674368000.0 + q * (1.0 / 355687428096000.0));
     return x * q * (low + p * p * high);
 }
 
@@ -108,7 +118,8 @@ static double cosh_terms(double q)
 {
     const double p = q * q;
     const double low = (0.5 + q * (1.0 / 24.0)) + p * (1.0 / 720.0 + q * (1.0 / 40320.0));
-    const double high = (1.0 / 3628800.0 + q * (1.0 / 479001600.0)) + p * (1.0 / 87178291200.0 + q * (1.0 / 20922789888000.0));
+    const double high = (1.0 / 3628800.0 + q * (1.0 / 479001600.0))
+                        + p * (1.0 / 87178291200.0 + q * (1.0 / 20922789888000.0));
     return q * (low + p * p * high);
 }
 
@@ -139,7 +150,8 @@ double hm_atanh(double x)
         return x + x * q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0))));
     }
     const pair q = quotient(sum_of_ordered(1.0, x), sum_of_ordered(1.0, -x));
-    if (!(q.hi > 0.0 && q.hi < INFINITY)) return q.hi == 0.0 ? -INFINITY : x == 1.0 ? INFINITY : NAN;
+    if (!(q.hi > 0.0 && q.hi < INFINITY))
+        return q.hi == 0.0 ? -INFINITY : x == 1.0 ? INFINITY : NAN;
     const pair l = logarithm(q.hi);
     return 0.5 * (l.hi + (l.lo + q.lo / q.hi));
 }

@@ -1,5 +1,5 @@
-/* Two numbers that are computed side by side, by one instruction where the compiler knows such vectors. Each is rounded as
-   it would be alone. */
+/* Two numbers that are computed side by side, by one instruction where the compiler knows such
+   vectors. Each is rounded as it would be alone. */
 #ifndef HOLONOM_LANES_H
 #define HOLONOM_LANES_H
 
@@ -37,9 +37,11 @@ static inline lanes lanes_times(lanes a, lanes b) { return LANES(a * b, PRODUCT)
 
 static inline lanes lanes_sum(lanes a, lanes b) { return LANES(a + b, SUM); }
 
-static inline lanes lanes_plus(lanes sum, lanes a, lanes b) { return LANES(sum + a * b, WITH_PRODUCT); }
+static inline lanes lanes_plus(lanes sum, lanes a, lanes b)
+{ return LANES(sum + a * b, WITH_PRODUCT); }
 
-static inline lanes lanes_less(lanes sum, lanes a, lanes b) { return LANES(sum - a * b, LESS_PRODUCT); }
+static inline lanes lanes_less(lanes sum, lanes a, lanes b)
+{ return LANES(sum - a * b, LESS_PRODUCT); }
 
 #undef PRODUCT
 #undef SUM

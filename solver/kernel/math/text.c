@@ -10,7 +10,8 @@
 void hm_say_part(hm_text *t, const char *from, size_t count)
 {
     const size_t room = t->room - t->used - 1;
-    if (count > room) /* not within a character of UTF-8, whose later bytes begin with the bits 10 */
+    if (count
+        > room) /* not within a character of UTF-8, whose later bytes begin with the bits 10 */
         for (count = room; count && (from[count] & 0xc0) == 0x80;) count--;
     memcpy(t->begin + t->used, from, count);
     t->used += count;
@@ -50,13 +51,17 @@ static void say_double(hm_text *t, double x, char style, int digits)
         return;
     }
     decimal_of(x, style == 'r', &d);
-    if (style != 'r') round_decimal(&d, style == 'f' ? d.exponent + 1 + digits : style == 'e' ? digits + 1 : digits);
+    if (style != 'r')
+        round_decimal(&d, style == 'f'   ? d.exponent + 1 + digits
+                          : style == 'e' ? digits + 1
+                                         : digits);
     if (style == 'e' || style == 'f') {
         (style == 'e' ? say_scientific : say_fixed)(t, &d, digits);
         return;
     }
     while (d.count > 1 && !d.digit[d.count - 1]) d.count--;
-    const int last = d.count > 1 ? d.count - 1 : 0, decimals = last > d.exponent ? last - d.exponent : style == 'r';
+    const int last = d.count > 1 ? d.count - 1 : 0,
+              decimals = last > d.exponent ? last - d.exponent : style == 'r';
     if (d.exponent < -4 || d.exponent >= (style == 'r' ? 16 : digits)) say_scientific(t, &d, last);
     else say_fixed(t, &d, decimals);
 }

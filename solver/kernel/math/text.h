@@ -18,8 +18,9 @@ void hm_take_back(hm_text *text, size_t begin);
 /* Appends so many bytes of a text. */
 void hm_say_part(hm_text *text, const char *from, size_t count);
 
-/* Appends; what has no room is cut off. In `format`: %s a text, %u a unit, behind a space unless it is empty, %d an int, %r a double
-   with the fewest digits that give it back, %6g one of at most 6 significant digits, %1e of 1 and %1f of 1 decimal. */
+/* Appends; what has no room is cut off. In `format`: %s a text, %u a unit, behind a space unless it
+   is empty, %d an int, %r a double with the fewest digits that give it back, %6g one of at most 6
+   significant digits, %1e of 1 and %1f of 1 decimal. */
 void hm_say(hm_text *text, const char *format, ...);
 void hm_say_all(hm_text *text, const char *format, va_list values);
 

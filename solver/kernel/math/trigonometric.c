@@ -1,5 +1,5 @@
-/* Sines, cosines, tangents, angles and lengths. Systems' own differ in the last bit, and with them the
-   motion; these use IEEE additions, multiplications, divisions and square roots alone. */
+/* Sines, cosines, tangents, angles and lengths. Systems' own differ in the last bit, and with them
+   the motion; these use IEEE additions, multiplications, divisions and square roots alone. */
 #include "elementary.h"
 #include "trigonometric_tables.h"
 
@@ -15,11 +15,13 @@ static const double ARCSINE[13] = {
 static uint64_t bits_of_two_over_pi(int first)
 {
     const int word = first >> 5, shift = first & 31;
-    const uint64_t here = word < 0 ? 0 : TWO_OVER_PI[word], next = word < -1 ? 0 : TWO_OVER_PI[word + 1];
+    const uint64_t here = word < 0 ? 0 : TWO_OVER_PI[word],
+                   next = word < -1 ? 0 : TWO_OVER_PI[word + 1];
     return (here << 32 | next) >> (32 - shift) & 0xffffffffu;
 }
 
-/* x - k pi/2 of a large x: only the bits of 2/pi count whose product with x is no multiple of 4 (Payne & Hanek 1983). */
+/* x - k pi/2 of a large x: only the bits of 2/pi count whose product with x is no multiple of 4
+   (Payne & Hanek 1983). */
 static pair far_remainder(double x, int *quadrant)
 {
     const uint64_t bits = bits_of(x), m = (bits & 0xfffffffffffffu) | 0x10000000000000u;
@@ -33,7 +35,8 @@ static pair far_remainder(double x, int *quadrant)
         carry = (low >> 32) + (m >> 32) * w;
     }
     *quadrant = (int)(limb[0] >> 30);
-    const int above = limb[0] >> 29 & 1; /* of one half of pi/2: what is missing to the next multiple */
+    const int above =
+        limb[0] >> 29 & 1; /* of one half of pi/2: what is missing to the next multiple */
     limb[0] &= 0x3fffffffu;
     if (above) {
         *quadrant = (*quadrant + 1) & 3;
@@ -71,8 +74,10 @@ static pair remainder_of(double x, int *quadrant)
 static pair sine(pair r)
 {
     const double q = r.hi * r.hi, p = q * q;
-    const double low = 1.0 / 120.0 + q * (-1.0 / 5040.0) + p * (1.0 / 362880.0 + q * (-1.0 / 39916800.0));
-    const double high = 1.0 / 6227020800.0 + q * (-1.0 / 1307674368000.0) + p * (1.0 / 355687428096000.0);
+    const double low =
+        1.0 / 120.0 + q * (-1.0 / 5040.0) + p * (1.0 / 362880.0 + q * (-1.0 / 39916800.0));
+    const double high =
+        1.0 / 6227020800.0 + q * (-1.0 / 1307674368000.0) + p * (1.0 / 355687428096000.0);
     const double terms = r.hi * q * (-1.0 / 6.0 + q * (low + p * p * high));
     return sum_of_ordered(r.hi, terms + r.lo * (1.0 - 0.5 * q));
 }
@@ -80,8 +85,10 @@ static pair sine(pair r)
 static pair cosine(pair r)
 {
     const double q = r.hi * r.hi, p = q * q, top = leading(r.hi);
-    const double low = 1.0 / 24.0 + q * (-1.0 / 720.0) + p * (1.0 / 40320.0 + q * (-1.0 / 3628800.0));
-    const double high = 1.0 / 479001600.0 + q * (-1.0 / 87178291200.0) + p * (1.0 / 20922789888000.0);
+    const double low =
+        1.0 / 24.0 + q * (-1.0 / 720.0) + p * (1.0 / 40320.0 + q * (-1.0 / 3628800.0));
+    const double high =
+        1.0 / 479001600.0 + q * (-1.0 / 87178291200.0) + p * (1.0 / 20922789888000.0);
     const double below = 0.5 * (r.hi - top) * (r.hi + top) + r.hi * r.lo; /* of r^2/2 */
     const pair half = sum_of_ordered(1.0, -0.5 * top * top);
     return sum_of_ordered(half.hi, half.lo + (p * (low + p * p * high) - below));
@@ -115,16 +122,19 @@ double hm_tan(double x)
     return quadrant & 1 ? -quotient(c, s).hi : quotient(s, c).hi;
 }
 
-/* --------------------------------------------------------------------------------------------------------- angles */
+/* --------------------------------------------------------------------------------------- angles */
 
-/* Angle of a direction with y >= 0, by the next atan(c), c = j/32, and a series in the tangent t of the rest. */
+/* Angle of a direction with y >= 0, by the next atan(c), c = j/32, and a series in the tangent t of
+   the rest. */
 static double angle_above(double y, double x)
 {
     const int back = x < 0.0, steep = y > fabs(x);
-    const double up = steep ? fabs(x) : y, along = steep ? y : fabs(x), sign = steep == back ? 1.0 : -1.0;
+    const double up = steep ? fabs(x) : y, along = steep ? y : fabs(x),
+                 sign = steep == back ? 1.0 : -1.0;
     const int next = nearest(32.0 * (up / along)), j = next < 4 ? 0 : next;
     const double c = j / 32.0, top = leading(along);
-    const double t = j ? ((up - c * top) - c * (along - top)) / (along + c * up) : up / along, q = t * t, p = q * q;
+    const double t = j ? ((up - c * top) - c * (along - top)) / (along + c * up) : up / along,
+                 q = t * t, p = q * q;
     const double low = (-1.0 / 3.0 + q * (1.0 / 5.0)) + p * (-1.0 / 7.0 + q * (1.0 / 9.0));
     const double high = (-1.0 / 11.0 + q * (1.0 / 13.0)) + p * (-1.0 / 15.0 + q * (1.0 / 17.0));
     const double lacks = j ? ANGLES[j].lo : lack_of(t, up, along) / along;
@@ -157,7 +167,9 @@ double hm_atan2(double y, double x)
     } else if (along > up * 0x1p60) {
         a = up / along;
     } else {
-        const double scale = along + up > 0x1p900 ? 0x1p-200 : along + up < 0x1p-800 ? 0x1p200 : 1.0;
+        const double scale = along + up > 0x1p900    ? 0x1p-200
+                             : along + up < 0x1p-800 ? 0x1p200
+                                                     : 1.0;
         a = angle_above(up * scale, signbit(x) ? -along * scale : along * scale);
     }
     return signbit(y) ? -a : a;
@@ -167,15 +179,18 @@ double hm_atan2(double y, double x)
 static double asin_terms(double s, double q)
 {
     const double *a = ARCSINE, p = q * q, o = p * p;
-    const double low = (a[0] + q * a[1]) + p * (a[2] + q * a[3]), middle = (a[4] + q * a[5]) + p * (a[6] + q * a[7]);
-    return s * q * (low + o * (middle + o * ((a[8] + q * a[9]) + p * ((a[10] + q * a[11]) + p * a[12]))));
+    const double low = (a[0] + q * a[1]) + p * (a[2] + q * a[3]),
+                 middle = (a[4] + q * a[5]) + p * (a[6] + q * a[7]);
+    return s * q
+           * (low + o * (middle + o * ((a[8] + q * a[9]) + p * ((a[10] + q * a[11]) + p * a[12]))));
 }
 
 /* Half the angle whose cosine is 1 - 2 q. */
 static pair half_angle(double q)
 {
     const double s = sqrt(q), top = leading(s);
-    const double below = ((q - top * top) - (s - top) * (s + top)) / (s + s); /* what the root lacks */
+    const double below =
+        ((q - top * top) - (s - top) * (s + top)) / (s + s); /* what the root lacks */
     return sum_of_ordered(s, asin_terms(s, q) + below);
 }
 
@@ -217,7 +232,8 @@ double hm_hypot(double x, double y)
     a *= 1.0 / scale, b *= 1.0 / scale;
     const double ah = leading(a), bh = leading(b);
     const pair s = sum_of_ordered(ah * ah, bh * bh);
-    const double below = s.lo + ((a - ah) * (a + ah) + (b - bh) * (b + bh)), r = sqrt(s.hi + below), rh = leading(r);
+    const double below = s.lo + ((a - ah) * (a + ah) + (b - bh) * (b + bh)), r = sqrt(s.hi + below),
+                 rh = leading(r);
     const double lacks = ((s.hi - rh * rh) - (r - rh) * (r + rh)) + below;
     return scale * (r + 0.5 * lacks / r);
 }

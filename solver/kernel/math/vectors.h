@@ -22,8 +22,8 @@ static inline void cross_product(const double *a, const double *b, double *x)
 #endif
 }
 
-/* The vector whose cross products with the directors d_i of a body come nearest to x_i: for orthonormal ones half the sum of
-   d_i x x_i, in the plane d x x. */
+/* The vector whose cross products with the directors d_i of a body come nearest to x_i: for
+   orthonormal ones half the sum of d_i x x_i, in the plane d x x. */
 static inline void turn_of_directors(const double *d, const double *x, double *turn)
 {
     double own[TURNING];

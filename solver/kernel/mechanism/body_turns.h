@@ -2,18 +2,21 @@
 
    With theta = h omega + turn and t = theta/2 the directors of a body go to
 
-       d_i + Delta d_i,     Delta d_i = theta x m_i,     m_i = (d_i + t x d_i + t (t . d_i))/(1 + t^2),
+       d_i + Delta d_i,     Delta d_i = theta x m_i,     m_i = (d_i + t x d_i + t (t . d_i))/(1 +
+   t^2),
 
-   m_i in the middle of both ends (Cayley). They stay orthonormal; and since the vectors theta x m_i are all that the
-   rows of rigidity leave free there, these drop out of the step, and the balance of momentum of the directors becomes
-   that of the torques m_i x p_i. In the plane t x is a quarter turn, times a number.
+   m_i in the middle of both ends (Cayley). They stay orthonormal; and since the vectors theta x m_i
+   are all that the rows of rigidity leave free there, these drop out of the step, and the balance
+   of momentum of the directors becomes that of the torques m_i x p_i. In the plane t x is a quarter
+   turn, times a number.
 
    The velocities v_i of directors need not be those of a turn: v_i = omega x d_i + n_i, with
 
        w_i = Delta d_i - h v_i = turn x d_i + t x Delta d_i - h n_i,
 
-   all of it of the size of the forces, so that no digits are lost. Newton's unknown is the turn `spin` at the end,
-   delta d_i = spin x (d_i + Delta d_i); the turn then changes by spin - t x spin + t (t . spin).                 */
+   all of it of the size of the forces, so that no digits are lost. Newton's unknown is the turn
+   `spin` at the end, delta d_i = spin x (d_i + Delta d_i); the turn then changes by spin - t x spin
+   + t (t . spin). */
 #ifndef HOLONOM_BODY_TURNS_H
 #define HOLONOM_BODY_TURNS_H
 
@@ -31,10 +34,12 @@ static inline void turned_by(const double *a, const double *b, double *x)
 }
 
 /* Whether a free node is a director that turns with its body. */
-static inline int is_director(const context *c, int32_t node) { return is_reduced(c) && c->m->node_kind[node]; }
+static inline int is_director(const context *c, int32_t node)
+{ return is_reduced(c) && c->m->node_kind[node]; }
 
 /* Components of the unknown of a free node: a director has those of its body's turn. */
-static inline int unknown_size(const context *c, int32_t node) { return is_director(c, node) ? TURNING : DIM; }
+static inline int unknown_size(const context *c, int32_t node)
+{ return is_director(c, node) ? TURNING : DIM; }
 
 /* The free node whose unknown moves free node a. */
 static inline int32_t first_of_unknown(const context *c, int32_t a)
@@ -43,10 +48,11 @@ static inline int32_t first_of_unknown(const context *c, int32_t a)
 }
 
 /* First free node behind those that share the unknown of free node a. */
-static inline int32_t next_unknown(const context *c, int32_t a) { return a + (is_director(c, a) ? TURNING : 1); }
+static inline int32_t next_unknown(const context *c, int32_t a)
+{ return a + (is_director(c, a) ? TURNING : 1); }
 
-/* Replaces a gradient g over a free node by that over its unknown; arms are the directors at the point that it is taken
-   at. Returns its components. */
+/* Replaces a gradient g over a free node by that over its unknown; arms are the directors at the
+   point that it is taken at. Returns its components. */
 static inline int to_unknown(const context *c, int32_t node, const double *arms, double *g)
 {
     if (!is_director(c, node)) return DIM;
@@ -56,8 +62,8 @@ static inline int to_unknown(const context *c, int32_t node, const double *arms,
     return TURNING;
 }
 
-/* Second derivative B of nodes a and b, (DIM x DIM), forces in the middle by places at the end, over their unknowns: x,
-   overwritten, row by row. Returns the number of its elements. */
+/* Second derivative B of nodes a and b, (DIM x DIM), forces in the middle by places at the end,
+   over their unknowns: x, overwritten, row by row. Returns the number of its elements. */
 static int block_to_unknowns(const context *c, int32_t a, int32_t b, const double *B, double *x)
 {
     const int rows = unknown_size(c, a), columns = unknown_size(c, b);
@@ -75,9 +81,10 @@ static int block_to_unknowns(const context *c, int32_t a, int32_t b, const doubl
     return rows * columns;
 }
 
-/* same I + quarter J of nodes a and b, over their unknowns; returns the number of elements. Of two directors that is
-   same ((m . d) 1 - d m'), m that in the middle and d that at the end.                                           */
-HM_OFTEN int block_of_same(const context *c, int32_t a, int32_t b, double same, double quarter, double *x)
+/* same I + quarter J of nodes a and b, over their unknowns; returns the number of elements. Of two
+   directors that is same ((m . d) 1 - d m'), m that in the middle and d that at the end. */
+HM_OFTEN int block_of_same(const context *c, int32_t a, int32_t b, double same, double quarter,
+                           double *x)
 {
 #if DIM == 2
     const double block[4] = {same, -quarter, quarter, same};
@@ -105,7 +112,7 @@ static inline const int32_t *scatter(int n, const double *x, const int32_t *slot
 
 /* Directors of the body with first director a, by its turn: with x = t x d and y = t x x
 
-       Delta d = 2 (x + y)/(1 + t^2),     t x Delta d = 2 (y - t^2 x)/(1 + t^2).                                   */
+       Delta d = 2 (x + y)/(1 + t^2),     t x Delta d = 2 (y - t^2 x)/(1 + t^2). */
 static void turn_body(const context *c, int32_t a)
 {
     const double *turn = c->k.turn + DIM * a, *spun = c->k.spun + DIM * a;
@@ -132,8 +139,8 @@ static void turn_body(const context *c, int32_t a)
     }
 }
 
-/* Square of a turn x of the body with first director a in the mass norm, in which all its axes are as heavy as the heaviest
-   (bodies.py); of a torque with power -1. */
+/* Square of a turn x of the body with first director a in the mass norm, in which all its axes are
+   as heavy as the heaviest (bodies.py); of a torque with power -1. */
 static double turning_norm2(const context *c, int32_t a, const double *x, int power)
 {
     const double inertia = (DIM - 1) * c->number[c->m->node_mass_at + a];
@@ -167,7 +174,8 @@ static void undo_turn(const context *c, int32_t a)
     turn_body(c, a);
 }
 
-/* Parts of coordinates (x, x_low), the first of 26 digits (Veltkamp's split): products of such parts are exact. */
+/* Parts of coordinates (x, x_low), the first of 26 digits (Veltkamp's split): products of such
+   parts are exact. */
 static inline void split(double x, double x_low, double *high, double *low)
 {
     const double far = 134217729.0 * x; /* 2^27 + 1 */
@@ -175,12 +183,15 @@ static inline void split(double x, double x_low, double *high, double *low)
     *low = (x - *high) + x_low;
 }
 
-/* Takes from the directors what rounding has made of them, d_i -= sum_j (d_i . d_j - delta_ij) d_j/2, with products to twice
-   the digits. Turns do not bring it back, and it would grow with the root of the number of steps.               */
+/* Takes from the directors what rounding has made of them, d_i -= sum_j (d_i . d_j - delta_ij)
+   d_j/2, with products to twice the digits. Turns do not bring it back, and it would grow with the
+   root of the number of steps. */
 static void straighten(context *c, int32_t a)
 {
-    double *q = c->s.q + DIM * a, *q_low = c->s.q_low + DIM * a, high[TURNING][DIM], low[TURNING][DIM], half[TURNING][TURNING];
-    for (int i = 0; i < TURNING; i++) EACH(k) split(q[DIM * i + k], q_low[DIM * i + k], &high[i][k], &low[i][k]);
+    double *q = c->s.q + DIM * a, *q_low = c->s.q_low + DIM * a, high[TURNING][DIM],
+           low[TURNING][DIM], half[TURNING][TURNING];
+    for (int i = 0; i < TURNING; i++)
+        EACH(k) split(q[DIM * i + k], q_low[DIM * i + k], &high[i][k], &low[i][k]);
     for (int i = 0; i < TURNING; i++)
         for (int j = 0; j <= i; j++) {
             double sum = i == j ? -1.0 : 0.0, rest = 0.0;
@@ -196,9 +207,10 @@ static void straighten(context *c, int32_t a)
         }
 }
 
-/* v - omega x d to the last digit, for an omega of 24 bits: products with either half of d are exact. */
-static void internal_velocity(const double *v, const double *v_low, const double *omega, const double *d, const double *d_low,
-                              double *n)
+/* v - omega x d to the last digit, for an omega of 24 bits: products with either half of d are
+   exact. */
+static void internal_velocity(const double *v, const double *v_low, const double *omega,
+                              const double *d, const double *d_low, double *n)
 {
     double high[DIM], low[DIM], rest[DIM];
     EACH(k) split(d[k], d_low[k], high + k, low + k);
@@ -207,7 +219,8 @@ static void internal_velocity(const double *v, const double *v_low, const double
 #if DIM == 2
         const double term[1] = {k == 0 ? omega[0] * high[1] : -omega[0] * high[0]};
 #else
-        const double term[2] = {-omega[(k + 1) % 3] * high[(k + 2) % 3], omega[(k + 2) % 3] * high[(k + 1) % 3]};
+        const double term[2] = {-omega[(k + 1) % 3] * high[(k + 2) % 3],
+                                omega[(k + 2) % 3] * high[(k + 1) % 3]};
 #endif
         double sum = v[k], lost = v_low[k] - rest[k];
         for (int i = 0; i < DIM - 1; i++) hm_add_exactly(&sum, &lost, term[i]);
@@ -216,7 +229,8 @@ static void internal_velocity(const double *v, const double *v_low, const double
 }
 
 /* The common turn of x_i, at the directors of the state. */
-static void common_turn(const context *c, int32_t a, const double *x, double *turn) { turn_of_directors(c->s.q + DIM * a, x, turn); }
+static void common_turn(const context *c, int32_t a, const double *x, double *turn)
+{ turn_of_directors(c->s.q + DIM * a, x, turn); }
 
 /* Largest angular velocity of a body [rad/s]. */
 HM_SELDOM static double fastest_turn(const context *c)
@@ -237,11 +251,13 @@ static inline double turning_of_step(const context *c, int32_t a, int k)
     return 2.0 / (c->h * c->h) * (c->k.turn[DIM * a + k] - c->k.spun[DIM * a + TURNING + k]);
 }
 
-/* Begins the turn of the body with first director a in a step of length h, with the angular acceleration that is foreseen. */
+/* Begins the turn of the body with first director a in a step of length h, with the angular
+   acceleration that is foreseen. */
 static void begin_turn(const context *c, int32_t a, const double *acceleration)
 {
     const int32_t at = DIM * a;
-    double omega[TURNING], rounded[TURNING], h_high, h_low; /* off by rounding: h omega - spun, exactly */
+    double omega[TURNING], rounded[TURNING], h_high,
+        h_low; /* off by rounding: h omega - spun, exactly */
     split(c->h, 0.0, &h_high, &h_low);
     common_turn(c, a, c->s.v + at, omega);
     for (int k = 0; k < TURNING; k++) {
@@ -258,7 +274,8 @@ static void begin_turn(const context *c, int32_t a, const double *acceleration)
     }
     double *lost = c->k.spun + at + TURNING; /* of h omega, by rounding */
     common_turn(c, a, c->k.internal + at, lost);
-    for (int k = 0; k < TURNING; k++) c->k.turn[at + k] = lost[k] + 0.5 * c->h * c->h * acceleration[k];
+    for (int k = 0; k < TURNING; k++)
+        c->k.turn[at + k] = lost[k] + 0.5 * c->h * c->h * acceleration[k];
     turn_body(c, a);
 }
 
@@ -269,13 +286,14 @@ static inline void clear_bodies(const context *c, double *x, int count)
         for (int k = 0; k < count; k++) x[DIM * c->m->body_node[b] + k] = 0.0;
 }
 
-/* The balance of momentum over the unknowns: torques of bodies in the place of what acts on their directors, which is kept
-   for the tangent.                                                                                              */
+/* The balance of momentum over the unknowns: torques of bodies in the place of what acts on their
+   directors, which is kept for the tangent. */
 static void reduce_momentum(const context *c)
 {
     EACH_TURN(c, b) {
         const int32_t at = DIM * c->m->body_node[b];
-        double *p = c->k.momentum + at, *kept = c->k.nodal + at, *torque = c->k.torque + at, own[TURNING];
+        double *p = c->k.momentum + at, *kept = c->k.nodal + at, *torque = c->k.torque + at,
+               own[TURNING];
         for (int i = 0; i < TURNING; i++) {
             cross_product(c->k.middle + at + DIM * i, p + DIM * i, own);
             for (int k = 0; k < TURNING; k++) torque[k] += own[k];

@@ -1,9 +1,10 @@
-/* Composites: what is built from quantities - elements (springs, dampers, drives), function rows, velocity rows
-   and potentials.
+/* Composites: what is built from quantities - elements (springs, dampers, drives), function rows,
+   velocity rows and potentials.
 
-   A composite's discrete gradient is sum_f g_f grad s_f(q_m), g_f = sum_l N_l p_lf: N_l is the slope of the law or
-   function with respect to leaf l, p_lf that of the leaf with respect to form f. Every slope is exact over the
-   step, so the products are (discrete chain rule), and the forms' invariance carries over to momenta. */
+   A composite's discrete gradient is sum_f g_f grad s_f(q_m), g_f = sum_l N_l p_lf: N_l is the
+   slope of the law or function with respect to leaf l, p_lf that of the leaf with respect to form
+   f. Every slope is exact over the step, so the products are (discrete chain rule), and the forms'
+   invariance carries over to momenta. */
 #ifndef HOLONOM_COMPOSITE_H
 #define HOLONOM_COMPOSITE_H
 
@@ -15,8 +16,9 @@ typedef struct local_form {
     double um[DIM], wm[DIM], u1[DIM], w1[DIM], s0, s1, ds;
 } local_form;
 
-/* A leaf of the composite at hand: values at both ends, slopes p with respect to its forms, their derivatives e and
-   curve with respect to the forms at the end, and the function's slope at the end.                            */
+/* A leaf of the composite at hand: values at both ends, slopes p with respect to its forms, their
+   derivatives e and curve with respect to the forms at the end, and the function's slope at the
+   end. */
 typedef struct leaf_state {
     double x0, x1, dx, p[2], e[2], curve[4], n_end;
 } leaf_state;
@@ -25,17 +27,22 @@ _Static_assert(sizeof(local_form) <= (4 * DIM + 3) * sizeof(double), "scratch of
 _Static_assert(sizeof(leaf_state) <= 12 * sizeof(double), "scratch of a leaf");
 
 typedef struct composite_result {
-    double row;        /* C(d) of a row                                                                       */
-    double change;     /* of a function over the step                                                         */
-    double mechanical; /* of this, by the quantities: work of a unit multiplier. Of an element: its elongation */
+    double row;        /* C(d) of a row */
+    double change;     /* of a function over the step */
+    double mechanical; /* of this, by the quantities: work of a unit multiplier. Of an element: its
+                          elongation */
 } composite_result;
 
 static inline int32_t first_function(const context *c) { return c->m->n_elements; }
-static inline int32_t first_velocity_row(const context *c) { return first_function(c) + c->m->n_function_rows; }
-static inline int32_t first_potential(const context *c) { return first_velocity_row(c) + c->m->n_velocity_rows; }
-static inline int32_t n_composites(const context *c) { return first_potential(c) + c->m->n_potentials; }
+static inline int32_t first_velocity_row(const context *c)
+{ return first_function(c) + c->m->n_function_rows; }
+static inline int32_t first_potential(const context *c)
+{ return first_velocity_row(c) + c->m->n_velocity_rows; }
+static inline int32_t n_composites(const context *c)
+{ return first_potential(c) + c->m->n_potentials; }
 
-static inline int is_row(const context *c, int32_t j) { return j >= first_function(c) && j < first_potential(c); }
+static inline int is_row(const context *c, int32_t j)
+{ return j >= first_function(c) && j < first_potential(c); }
 
 static inline int is_velocity_row(const context *c, int32_t j)
 {
@@ -86,9 +93,10 @@ static int32_t set_length(double s0, double s1, double ds, leaf_state *leaf)
     return HOLONOM_OK;
 }
 
-/* Angle of (c, s): with X = c_0 s_1 - s_0 c_1 and Y = c_0 c_1 + s_0 s_1 it grows by atan2(X, Y) = g X, and
-   X = c_m ds - s_m dc, so that its slopes are g (-s_m, c_m).                                                   */
-static int32_t set_angle(const double *first, const double *change, double theta0, int point, leaf_state *leaf)
+/* Angle of (c, s): with X = c_0 s_1 - s_0 c_1 and Y = c_0 c_1 + s_0 s_1 it grows by atan2(X, Y) = g
+   X, and X = c_m ds - s_m dc, so that its slopes are g (-s_m, c_m). */
+static int32_t set_angle(const double *first, const double *change, double theta0, int point,
+                         leaf_state *leaf)
 {
     const double c1 = first[0] + change[0], s1 = first[1] + change[1];
     const double c0 = point ? c1 : first[0], s0 = point ? s1 : first[1];
@@ -97,7 +105,8 @@ static int32_t set_angle(const double *first, const double *change, double theta
     const double x = cm * ds - sm * dc, y = c0 * c1 + s0 * s1, radius2 = x * x + y * y;
     if (!(radius2 > 0.0)) return HOLONOM_ZERO_LENGTH;
     const double g = hm_angle_over(x, y), bend = hm_angle_over_bend(x, y, g); /* dg/dX = bend X */
-    const double g_c = -bend * x * s0 - c0 / radius2, g_s = bend * x * c0 - s0 / radius2, end2 = c1 * c1 + s1 * s1;
+    const double g_c = -bend * x * s0 - c0 / radius2, g_s = bend * x * c0 - s0 / radius2,
+                 end2 = c1 * c1 + s1 * s1;
     leaf->dx = g * x;
     leaf->x0 = theta0;
     if (point) leaf->x0 += hm_atan2(first[0] * s1 - first[1] * c1, first[0] * c1 + first[1] * s1);
@@ -113,7 +122,8 @@ static int32_t set_angle(const double *first, const double *change, double theta
     return HOLONOM_OK;
 }
 
-/* Quantity of one leaf that is no form over the step; `point`: derivatives at the end instead of slopes over the step. */
+/* Quantity of one leaf that is no form over the step; `point`: derivatives at the end instead of
+   slopes over the step. */
 static int32_t set_curved_leaf(const context *c, const int32_t *entry, int point, leaf_state *leaf)
 {
     const int32_t q = entry[1], kind = c->m->quantity_kind[q];
@@ -126,14 +136,16 @@ static int32_t set_curved_leaf(const context *c, const int32_t *entry, int point
         const double first[2] = {form->s0, sine->s0}, change[2] = {form->ds, sine->ds};
         status = set_angle(first, change, c->k.sigma0[q], point, leaf);
     }
-    for (int i = 0; point && i < (kind == QUANTITY_ANGLE ? 4 : 1); i++) leaf->curve[i] *= 2.0; /* both ends move */
+    for (int i = 0; point && i < (kind == QUANTITY_ANGLE ? 4 : 1); i++)
+        leaf->curve[i] *= 2.0; /* both ends move */
     return status;
 }
 
 /* Likewise of any leaf. */
 HM_OFTEN int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_state *leaf)
 {
-    if (c->m->quantity_kind[entry[1]] != QUANTITY_FORM) return set_curved_leaf(c, entry, point, leaf);
+    if (c->m->quantity_kind[entry[1]] != QUANTITY_FORM)
+        return set_curved_leaf(c, entry, point, leaf);
     const local_form *form = (const local_form *)c->k.local + entry[2];
     leaf->x0 = point ? form->s1 : form->s0;
     leaf->x1 = form->s1;
@@ -147,15 +159,19 @@ HM_OFTEN int32_t set_leaf(const context *c, const int32_t *entry, int point, lea
 HM_OFTEN void add_slopes(const context *c, int32_t j, double factor, const double *slope)
 {
     const local_form *local = (const local_form *)c->k.local;
-    for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1]; at++, f++)
-        add_gradient(c, c->m->composite_form[at], factor * slope[f], local[f].um, local[f].wm, c->k.momentum);
+    for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1];
+         at++, f++)
+        add_gradient(c, c->m->composite_form[at], factor * slope[f], local[f].um, local[f].wm,
+                     c->k.momentum);
 }
 
-/* Slips of one friction have the same forms: their slopes, times factors, are summed before they are added. */
+/* Slips of one friction have the same forms: their slopes, times factors, are summed before they
+   are added. */
 static void sum_slopes(const context *c, int32_t j, double factor, int is_first)
 {
     const int32_t forms = c->m->composite_form_ptr[j + 1] - c->m->composite_form_ptr[j];
-    for (int32_t f = 0; f < forms; f++) c->k.slope_sum[f] = (is_first ? 0.0 : c->k.slope_sum[f]) + factor * c->k.slope[f];
+    for (int32_t f = 0; f < forms; f++)
+        c->k.slope_sum[f] = (is_first ? 0.0 : c->k.slope_sum[f]) + factor * c->k.slope[f];
 }
 
 /* Places of the composite's free entries, form by form, among its nodes. */
@@ -164,13 +180,16 @@ static inline const int32_t *places_of(const context *c, int32_t j)
     return c->m->composite_local + c->m->composite_local_ptr[j];
 }
 
-/* Places of the composite's free nodes among the components of its unknowns (overwritten); returns the number of these. */
+/* Places of the composite's free nodes among the components of its unknowns (overwritten); returns
+   the number of these. */
 static int32_t local_places(const context *c, int32_t j, int32_t *place)
 {
-    const int32_t *node = c->m->composite_node + c->m->composite_node_ptr[j], *end = c->m->composite_node + c->m->composite_node_ptr[j + 1];
+    const int32_t *node = c->m->composite_node + c->m->composite_node_ptr[j],
+                  *end = c->m->composite_node + c->m->composite_node_ptr[j + 1];
     int32_t size = 0, next = 0;
     for (; node < end; node++) {
-        if (*node >= next) size += unknown_size(c, *node), next = next_unknown(c, first_of_unknown(c, *node));
+        if (*node >= next)
+            size += unknown_size(c, *node), next = next_unknown(c, first_of_unknown(c, *node));
         *place++ = size - unknown_size(c, *node);
     }
     return size;
@@ -178,8 +197,8 @@ static int32_t local_places(const context *c, int32_t j, int32_t *place)
 
 static inline int32_t *local_place(const context *c) { return (int32_t *)(void *)c->k.place; }
 
-/* Gradients of the composite's forms over the unknowns of its free nodes, at the theta and at the end; returns the number of
-   these. */
+/* Gradients of the composite's forms over the unknowns of its free nodes, at the theta and at the
+   end; returns the number of these. */
 static int32_t local_gradients(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
@@ -205,8 +224,8 @@ static int32_t local_gradients(const context *c, int32_t j)
     return size;
 }
 
-/* Law of element j: N = k (sigma_m - rest) + c dsigma/h - drive along its quantity. Its work is then exactly
-   -dV - c dsigma^2/h + drive dsigma (Gonzalez 2000; paper, eq 11).                                             */
+/* Law of element j: N = k (sigma_m - rest) + c dsigma/h - drive along its quantity. Its work is
+   then exactly -dV - c dsigma^2/h + drive dsigma (Gonzalez 2000; paper, eq 11). */
 static int32_t element_law(const context *c, int32_t j, int tangent, composite_result *result)
 {
     const holonom_model *m = c->m;
@@ -216,18 +235,21 @@ static int32_t element_law(const context *c, int32_t j, int tangent, composite_r
     const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
     const int is_length = m->quantity_kind[entry[1]] == QUANTITY_LENGTH;
     leaf_state leaf;
-    if (!(stiffness >= 0.0 && damping >= 0.0 && (rest >= 0.0 || !is_length) && fabs(drive) < INFINITY))
+    if (!(stiffness >= 0.0 && damping >= 0.0 && (rest >= 0.0 || !is_length)
+          && fabs(drive) < INFINITY))
         return HOLONOM_BAD_LAW;
     const int32_t n = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
     if (tangent) memset(c->k.curve, 0, sizeof(double) * (size_t)(n * n));
     result->mechanical = 0.0;
-    if (is_length && rest == 0.0 && damping == 0.0 && drive == 0.0) { /* V = k s/2: no direction is needed */
+    if (is_length && rest == 0.0 && damping == 0.0
+        && drive == 0.0) { /* V = k s/2: no direction is needed */
         c->k.slope[0] = 0.5 * stiffness;
         return HOLONOM_OK;
     }
     const int32_t status = set_leaf(c, entry, is_seeking(c), &leaf);
     if (status) return status;
-    const double force = stiffness * (leaf.x0 + 0.5 * leaf.dx - rest) + damping * leaf.dx / c->h - drive;
+    const double force =
+        stiffness * (leaf.x0 + 0.5 * leaf.dx - rest) + damping * leaf.dx / c->h - drive;
     const double slope = stiffness * c->theta + damping / c->h;
     const int32_t local[2] = {entry[2], entry[3]};
     result->mechanical = leaf.dx;
@@ -236,7 +258,8 @@ static int32_t element_law(const context *c, int32_t j, int tangent, composite_r
     if (!tangent) return HOLONOM_OK;
     for (int f = 0; f < 2 && local[f] >= 0; f++)
         for (int g = 0; g < 2 && local[g] >= 0; g++)
-            c->k.curve[n * local[f] + local[g]] = force * leaf.curve[2 * f + g] + slope * leaf.p[f] * leaf.e[g];
+            c->k.curve[n * local[f] + local[g]] =
+                force * leaf.curve[2 * f + g] + slope * leaf.p[f] * leaf.e[g];
     return HOLONOM_OK;
 }
 
@@ -246,12 +269,14 @@ static double quantity_of(const context *c, int32_t j, const double *s)
     const int32_t kind = c->m->quantity_kind[j];
     if (kind == QUANTITY_FORM) return s[0];
     if (kind == QUANTITY_LENGTH) return sqrt(s[0]);
-    return hm_atan2(s[1] + 0.0, s[0]) + 6.283185307179586477 * c->s.turns[j]; /* + 0.0: no negative zero */
+    return hm_atan2(s[1] + 0.0, s[0])
+           + 6.283185307179586477 * c->s.turns[j]; /* + 0.0: no negative zero */
 }
 
-/* Quantity j at the configuration (x, x_low) and, if wanted, its rate with velocities v. One whose direction is
-   undefined has no rate: a length zero, an angle of a vector zero.                                              */
-HM_SELDOM static double quantity_at(const context *c, int32_t j, const double *x, const double *x_low, const double *v, double *rate)
+/* Quantity j at the configuration (x, x_low) and, if wanted, its rate with velocities v. One whose
+   direction is undefined has no rate: a length zero, an angle of a vector zero. */
+HM_SELDOM static double quantity_at(const context *c, int32_t j, const double *x,
+                                    const double *x_low, const double *v, double *rate)
 {
     const holonom_model *m = c->m;
     const int32_t kind = m->quantity_kind[j], *form = m->quantity_form + 2 * j;
@@ -271,16 +296,19 @@ HM_SELDOM static double quantity_at(const context *c, int32_t j, const double *x
     return value;
 }
 
-/* Links of some forms at the state, which is the beginning of the step, and the quantities they make. */
+/* Links of some forms at the state, which is the beginning of the step, and the quantities they
+   make. */
 HM_OFTEN void links_of_parts(const context *c, int linked, int active)
 {
     const holonom_model *m = c->m;
     const int touches = linked == ISLAND_TOUCHING_LINKED;
-    for (int32_t i = c->begin[linked]; (i = touches ? next_near(c, NEAR_LINKED, i) : i) < c->end[linked]; i++) {
+    for (int32_t i = c->begin[linked];
+         (i = touches ? next_near(c, NEAR_LINKED, i) : i) < c->end[linked]; i++) {
         const int32_t f = m->linked_form[i];
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
-    for (int32_t j = c->begin[active]; (j = touches ? next_near(c, NEAR_ACTIVE, j) : j) < c->end[active]; j++) {
+    for (int32_t j = c->begin[active];
+         (j = touches ? next_near(c, NEAR_ACTIVE, j) : j) < c->end[active]; j++) {
         double s[2] = {0.0, 0.0};
         for (int i = 0; i < (m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1); i++) {
             const int32_t f = m->quantity_form[2 * j + i];
@@ -293,14 +321,16 @@ HM_OFTEN void links_of_parts(const context *c, int linked, int active)
 /* Likewise of all that the step needs. */
 static void links_at_start(const context *c)
 {
-    for (int32_t f = 0; f < c->m->n_forms && !hm_skips(SKIP_MEASURED_FORMS); f++) /* what is only measured, too */
+    for (int32_t f = 0; f < c->m->n_forms && !hm_skips(SKIP_MEASURED_FORMS);
+         f++) /* what is only measured, too */
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     links_of_parts(c, ISLAND_LINKED, ISLAND_ACTIVE);
     for IN_ISLAND(c, i, ISLAND_RIGIDITY_LINKED) {
         const int32_t f = c->m->linked_form[i];
         if (!is_reduced(c)) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
-    if (!c->asleep || c->stepping) links_of_parts(c, ISLAND_TOUCHING_LINKED, ISLAND_TOUCHING_ACTIVE);
+    if (!c->asleep || c->stepping)
+        links_of_parts(c, ISLAND_TOUCHING_LINKED, ISLAND_TOUCHING_ACTIVE);
 }
 
 #endif

@@ -1,5 +1,6 @@
-/* Elements: what stores, takes or gives energy along quantities, one record of functions for each kind (theory 5). Slopes over a step
-   come from next_slopes, for residual, tangent and ledger; what else is asked of an element is here. */
+/* Elements: what stores, takes or gives energy along quantities, one record of functions for each
+   kind (theory 5). Slopes over a step come from next_slopes, for residual, tangent and ledger; what
+   else is asked of an element is here. */
 #ifndef HOLONOM_ELEMENTS_H
 #define HOLONOM_ELEMENTS_H
 
@@ -16,42 +17,53 @@ typedef struct element_bound {
 } element_bound;
 
 typedef struct element_kind {
-    double (*energy)(const context *c, int32_t j);           /* stored at the state; quantities are known           */
-    void (*add_sizes)(const context *c, int32_t j, double *sum); /* of what that and the drive's work are summed of */
-    element_work (*step)(const context *c, int32_t j);       /* in the step that is solved                          */
-    element_work (*rate)(const context *c, int32_t j, double time); /* in a time at the state's rates               */
+    double (*energy)(const context *c, int32_t j); /* stored at the state; quantities are known */
+    void (*add_sizes)(const context *c, int32_t j,
+                      double *sum); /* of what that and the drive's work are summed of */
+    element_work (*step)(const context *c, int32_t j);       /* in the step that is solved */
+    element_work (*rate)(const context *c, int32_t j,
+                         double time); /* in a time at the state's rates */
     element_bound (*bound)(const context *c, int32_t j);
 } element_kind;
 
 /* Elements at hand; the last ones are potentials. */
 static inline int32_t next_element(const context *c, int32_t j)
 {
-    return j < c->end[ISLAND_ELEMENT] || j > c->begin[ISLAND_POTENTIAL] ? j : c->begin[ISLAND_POTENTIAL];
+    return j < c->end[ISLAND_ELEMENT] || j > c->begin[ISLAND_POTENTIAL]
+               ? j
+               : c->begin[ISLAND_POTENTIAL];
 }
 
-#define EACH_ELEMENT(c, j)                                                                                                                 \
-    for (int32_t j##_end = (c)->end[ISLAND_POTENTIAL], j = next_element(c, (c)->begin[ISLAND_ELEMENT]); j < j##_end; j = next_element(c, j + 1))
+#define EACH_ELEMENT(c, j)                                                                         \
+    for (int32_t j##_end = (c)->end[ISLAND_POTENTIAL],                                             \
+                 j = next_element(c, (c)->begin[ISLAND_ELEMENT]);                                  \
+         j < j##_end; j = next_element(c, j + 1))
 
 /* Of springs, dampers and drives, which act along one quantity. */
-static inline int32_t quantity_of_element(const context *c, int32_t j) { return c->m->leaf[4 * c->m->leaf_ptr[j] + 1]; }
+static inline int32_t quantity_of_element(const context *c, int32_t j)
+{ return c->m->leaf[4 * c->m->leaf_ptr[j] + 1]; }
 
 static double linear_energy(const context *c, int32_t j)
 {
     const double stiffness = c->number[c->m->stiffness_at + j];
     if (stiffness == 0.0) return 0.0;
-    const double stretch = quantity_at(c, quantity_of_element(c, j), c->s.q, c->s.q_low, NULL, NULL) - c->number[c->m->rest_at + j];
+    const double stretch = quantity_at(c, quantity_of_element(c, j), c->s.q, c->s.q_low, NULL, NULL)
+                           - c->number[c->m->rest_at + j];
     return 0.5 * stiffness * stretch * stretch;
 }
 
 /* 1 rad, or the size of the mechanism. */
 static double size_of_quantity(const context *c, int32_t j)
 {
-    return c->m->quantity_kind[quantity_of_element(c, j)] == QUANTITY_ANGLE ? 1.0 : c->number[c->m->extent_at];
+    return c->m->quantity_kind[quantity_of_element(c, j)] == QUANTITY_ANGLE
+               ? 1.0
+               : c->number[c->m->extent_at];
 }
 
 static void add_linear_sizes(const context *c, int32_t j, double *sum)
 {
-    const double rest = c->number[c->m->rest_at + j], sigma = quantity_at(c, quantity_of_element(c, j), c->s.q, c->s.q_low, NULL, NULL);
+    const double rest = c->number[c->m->rest_at + j],
+                 sigma = quantity_at(c, quantity_of_element(c, j), c->s.q, c->s.q_low, NULL, NULL);
     *sum += fabs(c->number[c->m->drive_at + j]) * fmax(fabs(sigma), size_of_quantity(c, j));
     *sum += c->number[c->m->stiffness_at + j] * fabs(sigma - rest) * (fabs(sigma) + fabs(rest));
 }
@@ -108,10 +120,13 @@ static element_bound potential_bound(const context *c, int32_t j)
     return (element_bound){c->number[c->m->depth_damping_at + (j - first_potential(c))], 0.0};
 }
 
-static const element_kind LINEAR = {linear_energy, add_linear_sizes, linear_step, linear_rate, linear_bound},
-                          POTENTIAL = {function_value, add_potential_sizes, potential_step, potential_rate, potential_bound};
+static const element_kind LINEAR = {linear_energy, add_linear_sizes, linear_step, linear_rate,
+                                    linear_bound},
+                          POTENTIAL = {function_value, add_potential_sizes, potential_step,
+                                       potential_rate, potential_bound};
 
-static inline const element_kind *kind_of(const context *c, int32_t j) { return j < c->m->n_elements ? &LINEAR : &POTENTIAL; }
+static inline const element_kind *kind_of(const context *c, int32_t j)
+{ return j < c->m->n_elements ? &LINEAR : &POTENTIAL; }
 
 /* Whether an element at hand may take energy out, and whether one may do work. */
 static int has_dampers(const context *c)

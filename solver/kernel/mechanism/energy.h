@@ -14,8 +14,9 @@ static double stored_energy(const context *c)
     return sum;
 }
 
-/* Change of the potential energy of the islands at hand since the start, where springs and potentials had `stored`. Weights act on
-   displacements: on positions they would lose the digits by which the mechanism is far from the origin. */
+/* Change of the potential energy of the islands at hand since the start, where springs and
+   potentials had `stored`. Weights act on displacements: on positions they would lose the digits by
+   which the mechanism is far from the origin. */
 static double potential_since(const context *c, double stored)
 {
     const holonom_model *m = c->m;
@@ -32,7 +33,8 @@ static double potential_since(const context *c, double stored)
     return high;
 }
 
-static double potential_change(const context *c) { return potential_since(c, c->s.head[S_STORED_START]); }
+static double potential_change(const context *c)
+{ return potential_since(c, c->s.head[S_STORED_START]); }
 
 /* Momentum of each moving node at hand, p = M v (DIM n_moving, overwritten). */
 static void momenta(const context *c, double *p)
@@ -40,8 +42,10 @@ static void momenta(const context *c, double *p)
     const holonom_model *m = c->m;
     clear_nodes(c, p);
     for IN_ISLAND(c, e, ISLAND_MASS) {
-        const double *v = c->s.v + DIM * m->mass_node[2 * e + 1], *v_low = c->s.v_low + DIM * m->mass_node[2 * e + 1];
-        EACH(k) p[DIM * m->mass_node[2 * e] + k] += c->number[m->mass_at + e] * (v[k] + v_low[k]);
+            const double *v = c->s.v + DIM * m->mass_node[2 * e + 1],
+                         *v_low = c->s.v_low + DIM * m->mass_node[2 * e + 1];
+            EACH(k)
+                p[DIM * m->mass_node[2 * e] + k] += c->number[m->mass_at + e] * (v[k] + v_low[k]);
     }
 }
 
@@ -53,7 +57,8 @@ static double kinetic_energy(const context *c, double *p)
     return sum;
 }
 
-/* Kinetic and potential energy gained, minus the work of loads and drivers, plus what dampers took: 0 if exact. */
+/* Kinetic and potential energy gained, minus the work of loads and drivers, plus what dampers took:
+   0 if exact. */
 HM_OFTEN double ledger_balance(const context *c, double kinetic, double potential)
 {
     const double *head = c->s.head;
@@ -68,8 +73,8 @@ static double relative_balance(const context *c, double balance)
     return reference > 0.0 ? fabs(balance) / reference : fabs(balance);
 }
 
-/* Follows the reference energy, the largest kinetic energy, or change of potential energy, seen so far, and the error of
-   the ledger.                                                                                                  */
+/* Follows the reference energy, the largest kinetic energy, or change of potential energy, seen so
+   far, and the error of the ledger. */
 static void follow_energies(context *c)
 {
     const holonom_model *m = c->m;
@@ -78,10 +83,13 @@ static void follow_energies(context *c)
     const double potential = potential_change(c), change = fabs(potential);
     double load = 0.0; /* a thousandth of what the loads could do over the size of the mechanism */
     for (int32_t j = 0; j < m->n_loads; j++)
-        load += extent * sqrt(dot(c->number + m->load_at + DIM * j, c->number + m->load_at + DIM * j));
+        load +=
+            extent * sqrt(dot(c->number + m->load_at + DIM * j, c->number + m->load_at + DIM * j));
     for (int32_t j = 0; j < m->n_moments * TURNING; j++) load += fabs(c->number[m->moment_at + j]);
-    for (int32_t j = 0; j < m->n_body_moments * 3; j++) load += fabs(c->number[m->body_moment_at + j]);
-    for (int32_t j = 0; j < m->n_elements; j++) load += size_of_quantity(c, j) * fabs(linear_bound(c, j).drive);
+    for (int32_t j = 0; j < m->n_body_moments * 3; j++)
+        load += fabs(c->number[m->body_moment_at + j]);
+    for (int32_t j = 0; j < m->n_elements; j++)
+        load += size_of_quantity(c, j) * fabs(linear_bound(c, j).drive);
     load *= 1e-3;
     if (!(load <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = load;
     if (!(kinetic <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = kinetic;
@@ -89,21 +97,24 @@ static void follow_energies(context *c)
     head[S_LEDGER_ERROR] = relative_balance(c, ledger_balance(c, kinetic, potential));
 }
 
-/* Rate of function row j, or value of velocity row j, as below; `before`: the row whose rate was computed last, with the same
-   arguments; -1: any. */
-static double next_rate(const context *c, int32_t before, int32_t j, const double *x, const double *x_low, const double *v,
-                        const double *signal, const double *signal_rate)
+/* Rate of function row j, or value of velocity row j, as below; `before`: the row whose rate was
+   computed last, with the same arguments; -1: any. */
+static double next_rate(const context *c, int32_t before, int32_t j, const double *x,
+                        const double *x_low, const double *v, const double *signal,
+                        const double *signal_rate)
 {
     const holonom_model *m = c->m;
     const hm_registers *r = &c->k.r;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
     double *change = c->k.leaves;
-    if (is_next_slip(c, before, j, SLOPES_ALONE)) return value_of_leaves(c, j, c->m->function_known[j - first_function(c)]);
+    if (is_next_slip(c, before, j, SLOPES_ALONE))
+        return value_of_leaves(c, j, c->m->function_known[j - first_function(c)]);
     for (int32_t l = 0; l < n; l++, entry += 4) {
         if (entry[0] == LEAF_SIGNAL) {
             r->r0[l] = signal[entry[1]];
             change[l] = signal_rate[entry[1]];
-        } else if (entry[0] == LEAF_RATE && l > 0 && entry[-4] == LEAF_VALUE && entry[-3] == entry[1])
+        } else if (entry[0] == LEAF_RATE && l > 0 && entry[-4] == LEAF_VALUE
+                   && entry[-3] == entry[1])
             r->r0[l] = change[l] = change[l - 1]; /* as slips have the places and rates of axes */
         else {
             r->r0[l] = quantity_at(c, entry[1], x, x_low, v, change + l);
@@ -119,16 +130,18 @@ static double next_rate(const context *c, int32_t before, int32_t j, const doubl
     return rate;
 }
 
-static double function_rate(const context *c, int32_t j, const double *x, const double *x_low, const double *v,
-                            const double *signal, const double *signal_rate)
+static double function_rate(const context *c, int32_t j, const double *x, const double *x_low,
+                            const double *v, const double *signal, const double *signal_rate)
 {
     return next_rate(c, -1, j, x, x_low, v, signal, signal_rate);
 }
 
-/* Rates of the rows at hand that hold (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values
-   `signal` and the rates `signal_rate`. Linear in both rates, but for a velocity row's own terms.              */
-HM_SELDOM static void row_rates(const context *c, const double *x, const double *x_low, const double *v, const double *signal,
-                      const double *signal_rate, double *rate)
+/* Rates of the rows at hand that hold (n_rows, overwritten) at the configuration (x, x_low) with
+   velocities v; signals have the values `signal` and the rates `signal_rate`. Linear in both rates,
+   but for a velocity row's own terms. */
+HM_SELDOM static void row_rates(const context *c, const double *x, const double *x_low,
+                                const double *v, const double *signal, const double *signal_rate,
+                                double *rate)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM], vu[DIM], vw[DIM];
@@ -137,14 +150,18 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
         link_of(c, m->row_form[i], v, vu, vw);
         rate[i] = dot(u, vw) + dot(w, vu);
     }
-    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) link_of(c, m->coincidence_form[j], v, rate + m->n_form_rows + DIM * j, vw);
+    for
+        IN_ISLAND(c, j, ISLAND_COINCIDENCE)
+        link_of(c, m->coincidence_form[j], v, rate + m->n_form_rows + DIM * j, vw);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         EACH_ROW_OF_KIND(c, j, k)
-            rate[row_of(c, j)] =
-                state_of_row(c, j) == ROW_IS_ON ? function_rate(c, j, x, x_low, v, signal, signal_rate) : 0.0;
+            rate[row_of(c, j)] = state_of_row(c, j) == ROW_IS_ON
+                                     ? function_rate(c, j, x, x_low, v, signal, signal_rate)
+                                     : 0.0;
 }
 
-/* Part of its scale above which a row may show round-off of places alone, far from where it was drawn. */
+/* Part of its scale above which a row may show round-off of places alone, far from where it was
+   drawn. */
 #define MAY_BE_ROUNDED 1e-12
 
 static int may_be_rounded(const context *c, const double *phi, int32_t i)
@@ -172,7 +189,8 @@ HM_SELDOM static void row_values(const context *c, double *phi)
     }
     if (first_velocity_row(c) > first_function(c)) quantities_at_state(c);
     for (int32_t j = first_function(c); j < first_velocity_row(c); j++)
-        phi[row_of(c, j)] = state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
+        phi[row_of(c, j)] =
+            state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
     for (int32_t j = first_velocity_row(c); j < first_potential(c); j++) phi[row_of(c, j)] = 0.0;
 }
 

@@ -1,16 +1,20 @@
-/* How fast springs, potentials and dampers move a mechanism: what an explicit step can resolve (theory 8.8). */
+/* How fast springs, potentials and dampers move a mechanism: what an explicit step can resolve
+   (theory 8.8). */
 #ifndef HOLONOM_FORCE_RATES_H
 #define HOLONOM_FORCE_RATES_H
 
 #include "put_back.h"
 
-/* Turn of a spring's motion, and way of a damper's, over its time constant, in an explicit step. The method is stable to 5.8
-   and 6.4 (Hairer, Norsett and Wanner 1993, II.10); springs that move so far shorten steps by their errors first.
-   Powers come near the largest eigenvalue from below. */
+/* Turn of a spring's motion, and way of a damper's, over its time constant, in an explicit step.
+   The method is stable to 5.8 and 6.4 (Hairer, Norsett and Wanner 1993, II.10); springs that move
+   so far shorten steps by their errors first. Powers come near the largest eigenvalue from
+   below. */
 #define SPRING_TURN 5.0
 #define DAMPER_WAY 4.0
 
-#define STIFF 100.0 /* rate of a damper over that of the motion: beyond, covers let it settle within a step */
+#define STIFF                                                                                      \
+    100.0 /* rate of a damper over that of the motion: beyond, covers let it settle within a step 
+             \ */
 
 enum { MOST_POWERS = 10 };
 #define CLOSE 0.02 /* change of a rate by a power, of it, after which no more are taken */
@@ -27,7 +31,8 @@ static void respond(const context *at, double *x)
     add_solution(at, x);
 }
 
-/* Whether the potentials have derivatives of all orders: no kinks, jumps or tables, and no dampers. */
+/* Whether the potentials have derivatives of all orders: no kinks, jumps or tables, and no
+   dampers. */
 static int are_smooth(const context *at)
 {
     const holonom_model *m = at->m;
@@ -42,7 +47,8 @@ static int are_smooth(const context *at)
     return 1;
 }
 
-/* Second derivative of potential j along rates of its leaves (in r0) with `more` added to that of leaf l; values are in r1. */
+/* Second derivative of potential j along rates of its leaves (in r0) with `more` added to that of
+   leaf l; values are in r1. */
 static double bend_along(const context *at, int32_t j, int32_t l, double more)
 {
     hm_jet *x = (hm_jet *)at->k.leaves;
@@ -51,19 +57,22 @@ static double bend_along(const context *at, int32_t j, int32_t l, double more)
     return function_jet(at, j, 0, x, NULL).bend;
 }
 
-/* Adds to momentum the change of the potentials' forces in the motion x, by their second derivatives H in what they
-   measure: of its rates r, 4 s e'H r = (r + s e)'H (r + s e) - (r - s e)'H (r - s e). */
+/* Adds to momentum the change of the potentials' forces in the motion x, by their second
+   derivatives H in what they measure: of its rates r, 4 s e'H r = (r + s e)'H (r + s e) - (r - s
+   e)'H (r - s e). */
 static int32_t add_forces_of_potentials(const context *at, const double *x)
 {
     const holonom_model *m = at->m;
     for (int32_t j = first_potential(at); j < n_composites(at); j++) {
-        const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
+        const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j],
+                      *entry = m->leaf + 4 * m->leaf_ptr[j];
         double s = 0.0;
         set_local_forms(at, j, 0.5);
         for (int32_t l = 0; l < n; l++) {
             double *rate = at->k.r.r0 + l;
             const int is_signal = entry[4 * l] == LEAF_SIGNAL, q = entry[4 * l + 1];
-            at->k.r.r1[l] = is_signal ? at->s.signal[q] : quantity_at(at, q, at->s.q, at->s.q_low, x, rate);
+            at->k.r.r1[l] =
+                is_signal ? at->s.signal[q] : quantity_at(at, q, at->s.q, at->s.q_low, x, rate);
             if (is_signal) *rate = 0.0;
             s = fmax(s, fabs(*rate));
         }
@@ -79,8 +88,8 @@ static int32_t add_forces_of_potentials(const context *at, const double *x)
     return HOLONOM_OK;
 }
 
-/* Largest eigenvalue of M^-1 K along the rows, by powers of it: K of springs and of the second derivatives of potentials, or of
-   dampers. */
+/* Largest eigenvalue of M^-1 K along the rows, by powers of it: K of springs and of the second
+   derivatives of potentials, or of dampers. */
 static double largest_rate(const context *at, int64_t coefficient_at, int with_potentials)
 {
     double *x = at->k.ahead, rate = 0.0, last = INFINITY, size;
@@ -95,7 +104,9 @@ static double largest_rate(const context *at, int64_t coefficient_at, int with_p
     for (int i = 0; i < MOST_POWERS && size > 0.0 && !(fabs(rate - last) <= CLOSE * rate); i++) {
         const double before = size;
         memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
-        if (add_forces_of_elements(at, coefficient_at, x) || (with_potentials && add_forces_of_potentials(at, x))) return INFINITY;
+        if (add_forces_of_elements(at, coefficient_at, x)
+            || (with_potentials && add_forces_of_potentials(at, x)))
+            return INFINITY;
         respond(at, x);
         size = mass_norm(at, x);
         last = rate;
@@ -104,7 +115,8 @@ static double largest_rate(const context *at, int64_t coefficient_at, int with_p
     return rate;
 }
 
-/* How fast springs answer to the velocities [1/s]: they may be about to swing while no acceleration tells it yet. */
+/* How fast springs answer to the velocities [1/s]: they may be about to swing while no acceleration
+   tells it yet. */
 HM_SELDOM static double rate_of_springs(const context *c)
 {
     context at = rows_at_state(c);
@@ -117,8 +129,8 @@ HM_SELDOM static double rate_of_springs(const context *c)
     return sqrt(mass_norm(c, at.k.ahead) / speed);
 }
 
-/* Longest step [s] that resolves springs, potentials and dampers at the state, but for what their tension does, by its factors; 0 with
-   stiff dampers. */
+/* Longest step [s] that resolves springs, potentials and dampers at the state, but for what their
+   tension does, by its factors; 0 with stiff dampers. */
 HM_SELDOM static double longest_explicit(const context *at)
 {
     const double springs = largest_rate(at, at->m->stiffness_at, at->m->n_potentials > 0);

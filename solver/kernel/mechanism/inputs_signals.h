@@ -7,22 +7,26 @@
 #include "sensors.h"
 #include "sides.h"
 
-/* Time at part `part` of a step of length h from t, but inside of it, where laws may jump at its ends. */
+/* Time at part `part` of a step of length h from t, but inside of it, where laws may jump at its
+   ends. */
 static double inside_of_step(double t, double h, double part)
 {
     const double margin = fmax(1e-12 * h, 4.5e-16 * fabs(t));
     return fmin(fmax(t + part * h, t + margin), t + h - margin);
 }
 
-/* Inputs as they are at time t: held, or on their line or cubic from the value at the beginning of the communication step. */
+/* Inputs as they are at time t: held, or on their line or cubic from the value at the beginning of
+   the communication step. */
 static void load_inputs(const context *c, double t)
 {
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
     const double past = t - c->start;
     for (int32_t i = 0; i < m->n_inputs; i++) {
-        const double moved = past * (s->inputs_slope[i] + past * (s->inputs_bend[i] + past * s->inputs_third[i]));
-        c->number[m->input_at + i] = m->input_course[i] == INPUT_HELD ? s->inputs[i] : s->inputs_before[i] + moved;
+        const double moved =
+            past * (s->inputs_slope[i] + past * (s->inputs_bend[i] + past * s->inputs_third[i]));
+        c->number[m->input_at + i] =
+            m->input_course[i] == INPUT_HELD ? s->inputs[i] : s->inputs_before[i] + moved;
     }
     memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
     for (int32_t k = 0; k < m->n_switches; k++) c->number[m->switch_table[5 * k + 1]] = s->side[k];
@@ -33,16 +37,19 @@ static int move_inputs(const context *c)
 {
     const hm_state *s = &c->s;
     for (int32_t i = 0; i < c->m->n_inputs; i++)
-        if (c->m->input_course[i] != INPUT_HELD && (s->inputs_slope[i] != 0.0 || s->inputs_bend[i] != 0.0 || s->inputs_third[i] != 0.0)) return 1;
+        if (c->m->input_course[i] != INPUT_HELD
+            && (s->inputs_slope[i] != 0.0 || s->inputs_bend[i] != 0.0 || s->inputs_third[i] != 0.0))
+            return 1;
     return 0;
 }
 
-/* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes springs, their stored
-   energy jumps, which is work on the mechanism.                                                                 */
+/* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes
+   springs, their stored energy jumps, which is work on the mechanism. */
 static void set_laws(context *c, double t, int booked)
 {
     const holonom_model *m = c->m;
-    const double before = booked && m->variable_potential && m->n_tape_laws ? stored_energy(c) : 0.0;
+    const double before =
+        booked && m->variable_potential && m->n_tape_laws ? stored_energy(c) : 0.0;
     load_inputs(c, t);
     c->number[m->time_at] = t;
     if (!m->n_tape_laws) return;
@@ -78,7 +85,9 @@ HM_SELDOM static void load_jets(const context *c, double t, int32_t segment)
     for (int32_t i = 0; i < m->n_inputs; i++) {
         double *jet = c->k.jet + 2 * (m->input_at + i);
         const double moves = m->input_course[i] != INPUT_HELD;
-        jet[0] = moves * (s->inputs_slope[i] + past * (2.0 * s->inputs_bend[i] + 3.0 * past * s->inputs_third[i]));
+        jet[0] = moves
+                 * (s->inputs_slope[i]
+                    + past * (2.0 * s->inputs_bend[i] + 3.0 * past * s->inputs_third[i]));
         jet[1] = moves * (2.0 * s->inputs_bend[i] + 6.0 * past * s->inputs_third[i]);
     }
 }
@@ -88,7 +97,8 @@ HM_SELDOM static int32_t run_signal_jets(const context *c, double t)
 {
     const double law_time = c->number[c->m->time_at];
     load_jets(c, t, 2);
-    memset(c->k.jet + 2 * c->m->signal_at, 0, sizeof(double) * (size_t)(2 * c->m->n_signals)); /* constant ones are not run */
+    memset(c->k.jet + 2 * c->m->signal_at, 0,
+           sizeof(double) * (size_t)(2 * c->m->n_signals)); /* constant ones are not run */
     const int32_t doubts = hm_run_jets(c->m, c->number, 2, c->k.jet);
     c->number[c->m->time_at] = law_time;
     return doubts;
@@ -98,10 +108,12 @@ enum { LATER_TIMES = 20 };
 #define FIRST_LATER 0.125   /* [s]; each later time is half as far as the one before */
 #define LIMIT_IS_KNOWN 1e-7 /* error of a limit, over what it is of and changes by in a second */
 
-/* The limit at time t from above of the rate (order 1) or the second derivative (2) of signal b, by Neville's extrapolation from
-   later times as far as round-off lets it converge (Ridders 1982); NaN if it does not. So begins sqrt(2 - 2 cos t), which is
-   2 sin(t/2), though its jet at 0 is 0/0. It is one in powers of the time or, for formulas such as sqrt(t^7), of its root. */
-HM_SELDOM static double limit_in_powers(const context *c, double t, int32_t b, int order, int of_root)
+/* The limit at time t from above of the rate (order 1) or the second derivative (2) of signal b, by
+   Neville's extrapolation from later times as far as round-off lets it converge (Ridders 1982); NaN
+   if it does not. So begins sqrt(2 - 2 cos t), which is 2 sin(t/2), though its jet at 0 is 0/0. It
+   is one in powers of the time or, for formulas such as sqrt(t^7), of its root. */
+HM_SELDOM static double limit_in_powers(const context *c, double t, int32_t b, int order,
+                                        int of_root)
 {
     const int32_t place = c->m->signal_at + b;
     const double *jet = c->k.jet + 2 * (int64_t)place;
@@ -114,7 +126,8 @@ HM_SELDOM static double limit_in_powers(const context *c, double t, int32_t b, i
         double found = jet[order - 1];
         const double size_here = fabs(found) + fabs(order == 1 ? c->number[place] : jet[0]);
         for (int j = 0; j <= k; j++) {
-            const double before = column[j]; /* found from j + 1 times, the last of them the one before */
+            const double before =
+                column[j]; /* found from j + 1 times, the last of them the one before */
             column[j] = found;
             if (j == k) break;
             const double next = found + (found - before) * power[k] / (power[k - j - 1] - power[k]);
@@ -132,8 +145,9 @@ static double limit_of_jet(const context *c, double t, int32_t b, int order)
     return limit == limit ? limit : limit_in_powers(c, t, b, order, 1);
 }
 
-/* Rates and second derivatives of the signals at time t (n_signals each, overwritten), as they are just after it: see jets.c.
-   They are infinite where those of a formula such as sqrt(t) are, and NaN where they have no limit. */
+/* Rates and second derivatives of the signals at time t (n_signals each, overwritten), as they are
+   just after it: see jets.c. They are infinite where those of a formula such as sqrt(t) are, and
+   NaN where they have no limit. */
 HM_SELDOM static void signal_jets_at(const context *c, double t, double *rate, double *bend)
 {
     const holonom_model *m = c->m;
@@ -143,17 +157,19 @@ HM_SELDOM static void signal_jets_at(const context *c, double t, double *rate, d
         rate[b] = c->k.jet[2 * (m->signal_at + b)];
         bend[b] = c->k.jet[2 * (m->signal_at + b) + 1];
     }
-    const int moves = doubts && run_signal_jets(c, t + FIRST_LATER / (1 << (LATER_TIMES - 1))) != doubts;
+    const int moves =
+        doubts && run_signal_jets(c, t + FIRST_LATER / (1 << (LATER_TIMES - 1))) != doubts;
     for (int32_t b = 0; b < m->n_signals; b++) {
         if (moves || rate[b] != rate[b]) rate[b] = limit_of_jet(c, t, b, 1);
         if (moves || bend[b] != bend[b]) bend[b] = limit_of_jet(c, t, b, 2);
     }
 }
 
-static void signal_rates_at(const context *c, double t, double *rate) { signal_jets_at(c, t, rate, c->k.signal_bend); }
+static void signal_rates_at(const context *c, double t, double *rate)
+{ signal_jets_at(c, t, rate, c->k.signal_bend); }
 
-/* Values (signal1), rates and second derivatives of the signals at part `part` of a step of length h from t, of its inside: they may
-   have kinks and jumps at its ends. */
+/* Values (signal1), rates and second derivatives of the signals at part `part` of a step of length
+   h from t, of its inside: they may have kinks and jumps at its ends. */
 HM_SELDOM static void follow_signals(const context *c, double t, double h, double part)
 {
     const double time = inside_of_step(t, h, part), past = t + part * h - time;
@@ -177,7 +193,8 @@ HM_SELDOM static void place_driven(context *c)
     }
 }
 
-/* Lets driven nodes and signals be where they are now, with their rates: half steps leave rates that are right to the order. */
+/* Lets driven nodes and signals be where they are now, with their rates: half steps leave rates
+   that are right to the order. */
 HM_SELDOM static void follow_drivers(context *c)
 {
     signals_at(c, c->t, c->k.signal1);

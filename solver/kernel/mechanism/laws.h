@@ -1,15 +1,16 @@
-/* Forces besides those along quantities: moments on links and on bodies, forces on links, weights; each with the
-   discrete form whose work is exact. */
+/* Forces besides those along quantities: moments on links and on bodies, forces on links, weights;
+   each with the discrete form whose work is exact. */
 #ifndef HOLONOM_LAWS_H
 #define HOLONOM_LAWS_H
 
 #include "body_turns.h"
 #include "forms.h"
 
-/* Moment m on a link u: couple f = g (m x u_m) with g = beta/|u_0 x u_1|, beta the angle between u_0 and u_1.
-   In the plane its work is exactly m beta. f (DIM) and, if wanted, its tangent in du (DIM x DIM), overwritten. */
-static void moment_tangent(const double *moment, const double *u0, const double *cross, double size2, double y,
-                           double factor, const double *f, double *tangent)
+/* Moment m on a link u: couple f = g (m x u_m) with g = beta/|u_0 x u_1|, beta the angle between
+   u_0 and u_1. In the plane its work is exactly m beta. f (DIM) and, if wanted, its tangent in du
+   (DIM x DIM), overwritten. */
+static void moment_tangent(const double *moment, const double *u0, const double *cross,
+                           double size2, double y, double factor, const double *f, double *tangent)
 {
     const double radius2 = size2 + y * y, c1 = hm_angle_over_bend(sqrt(size2), y, factor);
     double direction[DIM], axis[3] = {0.0, 0.0, 0.0};
@@ -19,10 +20,13 @@ static void moment_tangent(const double *moment, const double *u0, const double 
     direction[1] = c1 * cross[0] * u0[0] - u0[1] / radius2;
 #else
     EACH(i) axis[i] = moment[i];
-    EACH(i) direction[i] = c1 * (cross[(i + 1) % 3] * u0[(i + 2) % 3] - cross[(i + 2) % 3] * u0[(i + 1) % 3]) -
-                           u0[i] / radius2;
+    EACH(i)
+        direction[i] =
+            c1 * (cross[(i + 1) % 3] * u0[(i + 2) % 3] - cross[(i + 2) % 3] * u0[(i + 1) % 3])
+            - u0[i] / radius2;
 #endif
-    const double skew[3][3] = {{0.0, -axis[2], axis[1]}, {axis[2], 0.0, -axis[0]}, {-axis[1], axis[0], 0.0}};
+    const double skew[3][3] = {
+        {0.0, -axis[2], axis[1]}, {axis[2], 0.0, -axis[0]}, {-axis[1], axis[0], 0.0}};
     EACH(i) EACH(j) tangent[DIM * i + j] = 0.5 * factor * skew[i][j] + f[i] / factor * direction[j];
 }
 
@@ -51,8 +55,9 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
     return HOLONOM_OK;
 }
 
-/* Moment on a spatial body: f_i = m x d^i/2 on the directors, d^i the dual ones at the midpoint, since
-   sum d_i x (m x d^i)/2 = m whatever their lengths and angles. `dual` (9) and `f` (9) overwritten.              */
+/* Moment on a spatial body: f_i = m x d^i/2 on the directors, d^i the dual ones at the midpoint,
+   since sum d_i x (m x d^i)/2 = m whatever their lengths and angles. `dual` (9) and `f` (9)
+   overwritten. */
 #if DIM == 3
 static int32_t body_moment_law(const context *c, int32_t j, double *moment, double *dual, double *f)
 {
@@ -61,11 +66,15 @@ static int32_t body_moment_law(const context *c, int32_t j, double *moment, doub
     const double *given = c->number + m->body_moment_at + 3 * j;
     double d[9];
     for (int k = 0; k < 9; k++) d[k] = c->s.q[3 * node + k] + c->theta * c->k.d[3 * node + k];
-    for (int i = 0; i < 3; i++) cross_product(d + 3 * ((i + 1) % 3), d + 3 * ((i + 2) % 3), dual + 3 * i);
+    for (int i = 0; i < 3; i++)
+        cross_product(d + 3 * ((i + 1) % 3), d + 3 * ((i + 2) % 3), dual + 3 * i);
     const double volume = dot(d, dual);
     if (!(fabs(volume) > 0.0)) return HOLONOM_ZERO_LENGTH;
     for (int k = 0; k < 9; k++) dual[k] /= volume;
-    EACH(k) moment[k] = m->body_moment[2 * j + 1] ? given[0] * d[k] + given[1] * d[3 + k] + given[2] * d[6 + k] : given[k];
+    EACH(k)
+        moment[k] = m->body_moment[2 * j + 1]
+                        ? given[0] * d[k] + given[1] * d[3 + k] + given[2] * d[6 + k]
+                        : given[k];
     for (int i = 0; i < 3; i++) {
         cross_product(moment, dual + 3 * i, f + 3 * i);
         EACH(k) f[3 * i + k] *= 0.5;
@@ -95,7 +104,8 @@ static int32_t body_moment_tangent(const context *c, int32_t b, const int32_t *s
             double block[9], x[9];
             EACH(k) EACH(l) {
                 block[3 * k + l] = -factor * turned[k] * dual[3 * i + l];
-                if (c->m->body_moment[2 * b + 1]) block[3 * k + l] -= factor * given[j] * skew[3 * k + l];
+                if (c->m->body_moment[2 * b + 1])
+                    block[3 * k + l] -= factor * given[j] * skew[3 * k + l];
             }
             slot = scatter(block_to_unknowns(c, node + i, node + j, block, x), x, slot, value);
         }
@@ -111,7 +121,8 @@ static void load_force(const context *c, int32_t j, double *force)
     EACH(k) force[k] = given[k];
     if (axes < 0) return;
     double d[DIM == 2 ? 2 : 9];
-    for (int k = 0; k < (DIM == 2 ? 2 : 9); k++) d[k] = c->s.q[DIM * axes + k] + c->theta * c->k.d[DIM * axes + k];
+    for (int k = 0; k < (DIM == 2 ? 2 : 9); k++)
+        d[k] = c->s.q[DIM * axes + k] + c->theta * c->k.d[DIM * axes + k];
 #if DIM == 2
     EACH(k) force[k] = given[0] * d[k];
     add_turned(given[1], d, force);
@@ -139,13 +150,16 @@ static const int32_t *load_tangent(const context *c, int32_t j, const int32_t *s
         for (int q = 0; q < (DIM == 2 ? 1 : 3); q++) {
             const double alpha = factor * c->number[m->alpha_at + e];
 #if DIM == 2
-            const double turn = m->form_kind[f] & FORM_TURNED ? factor * c->number[m->alpha_turn_at + e] : 0.0;
-            const double same = alpha * given[0] + turn * given[1], quarter = alpha * given[1] - turn * given[0];
+            const double turn =
+                m->form_kind[f] & FORM_TURNED ? factor * c->number[m->alpha_turn_at + e] : 0.0;
+            const double same = alpha * given[0] + turn * given[1],
+                         quarter = alpha * given[1] - turn * given[0];
 #else
             const double same = alpha * given[q], quarter = 0.0;
 #endif
             double x[DIM * DIM];
-            slot = scatter(block_of_same(c, m->form_node[e], axes + q, same, quarter, x), x, slot, value);
+            slot = scatter(block_of_same(c, m->form_node[e], axes + q, same, quarter, x), x, slot,
+                           value);
         }
     return slot;
 }
@@ -180,8 +194,8 @@ static int32_t subtract_forces(const context *c, double *momentum)
     return HOLONOM_OK;
 }
 
-/* Works of loads over the step. Where a law has no value, which is so for an increment that was only foreseen, as a
-   solved one would have been refused, none. */
+/* Works of loads over the step. Where a law has no value, which is so for an increment that was
+   only foreseen, as a solved one would have been refused, none. */
 static double load_work(const context *c, int32_t j)
 {
     double force[DIM], du[DIM], unused[DIM];

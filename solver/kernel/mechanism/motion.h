@@ -1,7 +1,8 @@
 /* The motion: all that time integrates, as one vector, whatever it has in it.
 
-   A state has it (MOTION of layout.py, n_motion numbers) from q on and, in the same order, what rounding left over from q_low on. A
-   change of it is a vector (n_motion) as well: places, then velocities, then the others. */
+   A state has it (MOTION of layout.py, n_motion numbers) from q on and, in the same order, what
+   rounding left over from q_low on. A change of it is a vector (n_motion) as well: places, then
+   velocities, then the others. */
 #ifndef HOLONOM_MOTION_H
 #define HOLONOM_MOTION_H
 
@@ -32,7 +33,8 @@ static void add_change(const context *c, const double *backup, double weight, do
 {
     const double *high = c->s.q, *low = c->s.q_low;
     const double *high0 = backup + (high - c->s.head), *low0 = backup + (low - c->s.head);
-    for (int64_t k = 0; k < c->s.n_motion; k++) x[k] += weight * ((high[k] - high0[k]) + (low[k] - low0[k]));
+    for (int64_t k = 0; k < c->s.n_motion; k++)
+        x[k] += weight * ((high[k] - high0[k]) + (low[k] - low0[k]));
 }
 
 /* Adds a change to the motion. */

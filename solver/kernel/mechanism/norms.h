@@ -7,7 +7,8 @@
 static double mass_norm(const context *c, const double *x)
 {
     double sum = 0.0;
-    for (int32_t a = 0; a < c->m->n_free; a++) sum += c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
+    for (int32_t a = 0; a < c->m->n_free; a++)
+        sum += c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
     return sqrt(sum);
 }
 
@@ -27,7 +28,8 @@ static double mass_of_nodes(const context *c, span nodes)
 
 static double mass_of_all(const context *c) { return mass_of_nodes(c, (span){0, c->m->n_free}); }
 
-/* By how much errors of island i, in the mass norm, count more than those of all: else heavy ones would hide light ones. */
+/* By how much errors of island i, in the mass norm, count more than those of all: else heavy ones
+   would hide light ones. */
 static double weight_of_island(const context *c, int32_t i, double all)
 {
     const double own = mass_of_nodes(c, free_nodes(c, i));
@@ -42,13 +44,15 @@ HM_SELDOM static double norm2_of_islands(const context *c, const double *x)
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         const double weight = weight_of_island(c, island, all);
         const span nodes = free_nodes(c, island);
-        for (int32_t a = nodes.begin; a < nodes.end; a++) sum += weight * c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
+        for (int32_t a = nodes.begin; a < nodes.end; a++)
+            sum += weight * c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
     }
     return sum;
 }
 
 /* Mass norm of an error x (n). */
-static double error_norm(const context *c, const double *x) { return c->m->n_islands > 1 ? sqrt(norm2_of_islands(c, x)) : mass_norm(c, x); }
+static double error_norm(const context *c, const double *x)
+{ return c->m->n_islands > 1 ? sqrt(norm2_of_islands(c, x)) : mass_norm(c, x); }
 
 /* Largest of phi (n_rows) over the scale of its row, of the rows at hand. */
 static double largest_row(const context *c, const double *phi)
@@ -61,7 +65,8 @@ static double largest_row(const context *c, const double *phi)
     return largest;
 }
 
-/* Largest angular velocity among those of the nodes, and speed over the size of the mechanism [1/s]; likewise of accelerations. */
+/* Largest angular velocity among those of the nodes, and speed over the size of the mechanism
+   [1/s]; likewise of accelerations. */
 static double fastest_rate(const context *c, const double *v)
 {
     double fastest = 0.0;

@@ -1,5 +1,6 @@
-/* How fast what is measured changes at the state: the state moves on along the parabola of its motion,
-   q + t v + t^2/2 a, and is measured again. Multipliers stay on the line through their means; works are booked as in a step. */
+/* How fast what is measured changes at the state: the state moves on along the parabola of its
+   motion, q + t v + t^2/2 a, and is measured again. Multipliers stay on the line through their
+   means; works are booked as in a step. */
 #ifndef HOLONOM_RATES_H
 #define HOLONOM_RATES_H
 
@@ -12,8 +13,11 @@ int holonom_knows_rate(const holonom_model *m, double *number, int32_t place, do
     const double *x = number + place;
     hm_measured y;
     hm_map_measured(m, number + m->measured_at, &y);
-    double *const group[][3] = { /* values, right behind them their rates, and the end */
-        {y.position, y.velocity, y.place}, {y.place, y.place_velocity, y.quantity}, {y.quantity, y.quantity_rate, y.element_force},
+    double *const group[][3] = {
+        /* values, right behind them their rates, and the end */
+        {y.position, y.velocity, y.place},
+        {y.place, y.place_velocity, y.quantity},
+        {y.quantity, y.quantity_rate, y.element_force},
     };
     for (size_t k = 0; k < sizeof group / sizeof *group; k++)
         if (x >= group[k][0] && x < group[k][1]) return *rate = x[group[k][1] - group[k][0]], 1;
@@ -21,14 +25,16 @@ int holonom_knows_rate(const holonom_model *m, double *number, int32_t place, do
     return x >= y.energy + ENERGY_BALANCE && x < y.momentum;
 }
 
-HM_SELDOM int32_t holonom_begin_moving_on(const holonom_model *m, double *number, double *state, double *work, double longest)
+HM_SELDOM int32_t holonom_begin_moving_on(const holonom_model *m, double *number, double *state,
+                                          double *work, double longest)
 {
     context c;
     open_context(&c, m, number, state, work);
     double *head = c.s.head;
     const double gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
     /* No multiplier leaves its line on the way. */
-    if (m->unilateral && !(c.t + longest - head[S_MEAN_TIME] <= FARTHEST * gap)) head[S_MEAN_TIME] = INFINITY;
+    if (m->unilateral && !(c.t + longest - head[S_MEAN_TIME] <= FARTHEST * gap))
+        head[S_MEAN_TIME] = INFINITY;
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, c.t, 0);
     const int32_t status = accelerations(&c, c.s.mu[0]);
@@ -36,7 +42,8 @@ HM_SELDOM int32_t holonom_begin_moving_on(const holonom_model *m, double *number
     return status;
 }
 
-/* Changes of elements and of functions of rows by increments that were not solved for; where one has no value, none. */
+/* Changes of elements and of functions of rows by increments that were not solved for; where one
+   has no value, none. */
 HM_SELDOM static void changes_of_composites(const context *c)
 {
     EACH_COMPOSITE(c, j) {
@@ -50,7 +57,8 @@ HM_SELDOM static void changes_of_composites(const context *c)
     }
 }
 
-HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *state, double *work, double step)
+HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *state, double *work,
+                               double step)
 {
     context c;
     open_context(&c, m, number, state, work);
@@ -67,7 +75,8 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
     memset(c.k.phi, 0, sizeof(double) * (size_t)m->n_rows);
     memset(c.k.momentum, 0, sizeof(double) * (size_t)n);
     memset(c.k.handed_on, 0, sizeof(double) * (size_t)n);
-    extrapolate(&c, c.s.head[S_TIME], DIM * m->n_driven, c.s.driven_mean, c.s.driven_mean_before, driving);
+    extrapolate(&c, c.s.head[S_TIME], DIM * m->n_driven, c.s.driven_mean, c.s.driven_mean_before,
+                driving);
     for (int32_t k = 0; k < DIM * m->n_driven; k++) driving[k] *= step;
     for (int64_t k = 0; k < n; k++) c.k.d[k] = step * (c.s.v[k] + 0.5 * step * c.s.a[0][k]);
     changes_of_composites(&c);

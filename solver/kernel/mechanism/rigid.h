@@ -12,7 +12,8 @@ static inline void arm_of(const context *c, const double *centre, int32_t a, dou
     EACH(k) x[k] = c->s.q[DIM * a + k] - (c->m->node_kind[a] ? 0.0 : centre[k]);
 }
 
-/* Velocity at node a of islands moving as one rigid body: along axis i < DIM, or about an axis at `centre`. */
+/* Velocity at node a of islands moving as one rigid body: along axis i < DIM, or about an axis at
+   `centre`. */
 static void rigid_velocity(const context *c, const double *centre, int i, int32_t a, double *xi)
 {
     double x[DIM];
@@ -32,8 +33,10 @@ static void rigid_velocity(const context *c, const double *centre, int i, int32_
 #endif
 }
 
-/* Those momenta of the islands at hand that are kept, from those of their nodes, and the sums of their terms' sizes. */
-static void rigid_momenta(const context *c, const double *centre, const int *kept, const double *p, double *total, double *size)
+/* Those momenta of the islands at hand that are kept, from those of their nodes, and the sums of
+   their terms' sizes. */
+static void rigid_momenta(const context *c, const double *centre, const int *kept, const double *p,
+                          double *total, double *size)
 {
     for (int i = 0; i < RIGID; i++) {
         const int first = (i + DIM - 2) % DIM, second = (i + DIM - 1) % DIM;
@@ -43,7 +46,8 @@ static void rigid_momenta(const context *c, const double *centre, const int *kep
             double x[DIM];
             if (i < DIM && c->m->node_kind[k / DIM]) continue;
             arm_of(c, centre, k / DIM, x);
-            const double one = i < DIM ? own[i] : x[first] * own[second], other = i < DIM ? 0.0 : x[second] * own[first];
+            const double one = i < DIM ? own[i] : x[first] * own[second],
+                         other = i < DIM ? 0.0 : x[second] * own[first];
             sum += one - other;
             sizes += fabs(one) + fabs(other);
         }
@@ -57,13 +61,15 @@ static double mass_product(const context *c, const double *x, const double *y)
 {
     double sum = 0.0;
     for IN_ISLAND(c, e, ISLAND_MASS)
-        sum += c->number[c->m->mass_at + e] * dot(x + DIM * c->m->mass_node[2 * e], y + DIM * c->m->mass_node[2 * e + 1]);
+    sum += c->number[c->m->mass_at + e]
+           * dot(x + DIM * c->m->mass_node[2 * e], y + DIM * c->m->mass_node[2 * e + 1]);
     return sum;
 }
 
-/* Rigid motions' mass matrix xi_i'M xi_j of those that are kept, as its Cholesky factor; 0 on the diagonal leaves a
-   motion out, which the others contain.                                                                       */
-static void factor_rigid(const context *c, const double *centre, const int *kept, double L[RIGID][RIGID])
+/* Rigid motions' mass matrix xi_i'M xi_j of those that are kept, as its Cholesky factor; 0 on the
+   diagonal leaves a motion out, which the others contain. */
+static void factor_rigid(const context *c, const double *centre, const int *kept,
+                         double L[RIGID][RIGID])
 {
     const holonom_model *m = c->m;
     double x[DIM], y[DIM], K[RIGID][RIGID] = {{0.0}};
@@ -98,7 +104,8 @@ static void solve_rigid(double L[RIGID][RIGID], double *b)
 }
 
 /* Adds to velocities x the rigid motion of momenta b (modified) in the kept directions. */
-static void add_rigid(const context *c, const double *centre, double L[RIGID][RIGID], double *b, double *x)
+static void add_rigid(const context *c, const double *centre, double L[RIGID][RIGID], double *b,
+                      double *x)
 {
     double xi[DIM];
     solve_rigid(L, b);

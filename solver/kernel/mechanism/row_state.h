@@ -1,36 +1,43 @@
-/* Which rows are on: those of contacts while they are closed, those of frictions while they stick. While a friction slides,
-   its rows' multipliers follow the cone
+/* Which rows are on: those of contacts while they are closed, those of frictions while they stick.
+   While a friction slides, its rows' multipliers follow the cone
 
        mu_k = (c N + preload) t_k,      N = sum of |lambda of some rows|,
 
-   c the coefficient of sliding, t the direction of the slip psi; the friction -mu_k grad psi_k then works
-   -mu_k psi_k <= 0, exactly. Smooth friction always slides, with t = psi/sqrt(psi^2 + smooth_speed^2).             */
+   c the coefficient of sliding, t the direction of the slip psi; the friction -mu_k grad psi_k then
+   works -mu_k psi_k <= 0, exactly. Smooth friction always slides, with t = psi/sqrt(psi^2 +
+   smooth_speed^2). */
 #ifndef HOLONOM_ROW_STATE_H
 #define HOLONOM_ROW_STATE_H
 
 #include "composite.h"
 
-/* Multipliers are extrapolated from their last two means no farther than this many times the time between these. */
+/* Multipliers are extrapolated from their last two means no farther than this many times the time
+   between these. */
 #define FARTHEST 2.0
 
 enum row_state { ROW_IS_ON, ROW_IS_OFF, ROW_IS_SLIDING };
 
 static inline double *contact_of(const context *c, int32_t i) { return c->s.contacts + C_SIZE * i; }
 
-static inline double *friction_of(const context *c, int32_t f) { return c->s.frictions + F_SIZE * f; }
+static inline double *friction_of(const context *c, int32_t f)
+{ return c->s.frictions + F_SIZE * f; }
 
 /* Notes composite j, a row, as the one to name if the step fails. */
 static inline void blame(context *c, int32_t j) { c->at_fault = row_of(c, j) + 1; }
 
-static inline int is_closed(const context *c, int32_t i) { return contact_of(c, i)[C_CLOSED] != 0.0; }
+static inline int is_closed(const context *c, int32_t i)
+{ return contact_of(c, i)[C_CLOSED] != 0.0; }
 
 static inline int friction_mode(const context *c, int32_t f)
 {
     const double mode = friction_of(c, f)[F_MODE];
-    return mode == FRICTION_STICKS ? FRICTION_STICKS : mode == FRICTION_SLIDES ? FRICTION_SLIDES : FRICTION_OFF;
+    return mode == FRICTION_STICKS   ? FRICTION_STICKS
+           : mode == FRICTION_SLIDES ? FRICTION_SLIDES
+                                     : FRICTION_OFF;
 }
 
-/* Contact i, or friction f as n_contacts + f, that composite j is a row of; -1: of neither, it is always on. */
+/* Contact i, or friction f as n_contacts + f, that composite j is a row of; -1: of neither, it is
+   always on. */
 static inline int32_t owner_of(const context *c, int32_t j)
 {
     return is_unilateral(c->m) && is_row(c, j) ? c->m->row_owner[j - first_function(c)] : -1;
@@ -42,7 +49,9 @@ static inline enum row_state state_of_row(const context *c, int32_t j)
     if (owner < 0) return ROW_IS_ON;
     if (f < 0) return is_closed(c, owner) ? ROW_IS_ON : ROW_IS_OFF;
     const int mode = friction_mode(c, f);
-    return mode == FRICTION_STICKS ? ROW_IS_ON : mode == FRICTION_SLIDES ? ROW_IS_SLIDING : ROW_IS_OFF;
+    return mode == FRICTION_STICKS   ? ROW_IS_ON
+           : mode == FRICTION_SLIDES ? ROW_IS_SLIDING
+                                     : ROW_IS_OFF;
 }
 
 /* The composite of multiplier i, or -1 if it is no function. */
@@ -67,14 +76,17 @@ static int are_all_off(const context *c)
     return 1;
 }
 
-/* Takes rows that are off out of the pieces at hand, until take_all_rows: a step has no multipliers and residuals of theirs. */
+/* Takes rows that are off out of the pieces at hand, until take_all_rows: a step has no multipliers
+   and residuals of theirs. */
 static void leave_rows_out(context *c)
 {
     const holonom_model *m = c->m;
-    span *row = (span *)(void *)c->k.pieces, *composite = row + 2 + m->n_function_rows + m->n_velocity_rows;
+    span *row = (span *)(void *)c->k.pieces,
+         *composite = row + 2 + m->n_function_rows + m->n_velocity_rows;
     const int32_t first = row_of(c, first_function(c));
     c->asleep = 1;
-    int rows = 0, composites = add_piece(composite, 0, c->begin[ISLAND_ELEMENT], c->end[ISLAND_ELEMENT]);
+    int rows = 0,
+        composites = add_piece(composite, 0, c->begin[ISLAND_ELEMENT], c->end[ISLAND_ELEMENT]);
     for (; rows < c->rows && c->row[rows].begin < first; rows++)
         row[rows] = (span){c->row[rows].begin, c->row[rows].end < first ? c->row[rows].end : first};
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
@@ -88,7 +100,8 @@ static void leave_rows_out(context *c)
             rows = add_piece(row, rows, i, i + 1);
             composites = add_piece(composite, composites, j, j + 1);
         }
-    c->composites = add_piece(composite, composites, c->begin[ISLAND_POTENTIAL], c->end[ISLAND_POTENTIAL]);
+    c->composites =
+        add_piece(composite, composites, c->begin[ISLAND_POTENTIAL], c->end[ISLAND_POTENTIAL]);
     c->rows = rows;
     c->row = row, c->composite = composite;
     c->left_out = 1;
@@ -108,18 +121,22 @@ static inline int is_at_hand(const context *c, int32_t f)
     return j >= c->begin[ISLAND_VELOCITY] && j < c->end[ISLAND_VELOCITY];
 }
 
-/* Whether friction f is that of a contact, off while the contact is open, and not that of a joint. */
+/* Whether friction f is that of a contact, off while the contact is open, and not that of a
+   joint. */
 static inline int is_of_contact(const context *c, int32_t f)
 {
     return c->m->normal_row[2 * c->m->normal_ptr[f] + 1] == NORMAL_PUSHES;
 }
 
 /* Whether contacts change at the ends of half steps only (stepped.h). */
-static inline int is_stepped(const context *c) { return is_unilateral(c->m) && c->s.head[S_CONTACT_MODE] != 0.0; }
+static inline int is_stepped(const context *c)
+{ return is_unilateral(c->m) && c->s.head[S_CONTACT_MODE] != 0.0; }
 
-static inline int n_slips(const context *c, int32_t f) { return c->m->friction_row_ptr[f + 1] - c->m->friction_row_ptr[f]; }
+static inline int n_slips(const context *c, int32_t f)
+{ return c->m->friction_row_ptr[f + 1] - c->m->friction_row_ptr[f]; }
 
-static inline int32_t slip_row(const context *c, int32_t f, int k) { return c->m->friction_row[c->m->friction_row_ptr[f] + k]; }
+static inline int32_t slip_row(const context *c, int32_t f, int k)
+{ return c->m->friction_row[c->m->friction_row_ptr[f] + k]; }
 
 /* Whether a friction in space slides. Its direction turns the faster the slower it is. */
 static int slides_in_space(const context *c)
@@ -128,9 +145,10 @@ static int slides_in_space(const context *c)
     return 0;
 }
 
-/* Norm (in `root`) of the multipliers whose list begins at entry `at` of the normal force of friction f; the entry behind
-   the list. */
-static int32_t sum_of_squares(const context *c, int32_t f, int32_t at, const double *mu, double *root)
+/* Norm (in `root`) of the multipliers whose list begins at entry `at` of the normal force of
+   friction f; the entry behind the list. */
+static int32_t sum_of_squares(const context *c, int32_t f, int32_t at, const double *mu,
+                              double *root)
 {
     double sum = 0.0;
     do {
@@ -141,7 +159,8 @@ static int32_t sum_of_squares(const context *c, int32_t f, int32_t at, const dou
     return at;
 }
 
-/* Normal force of friction f with multipliers mu: what gaps push, and norms of the multipliers of joints. */
+/* Normal force of friction f with multipliers mu: what gaps push, and norms of the multipliers of
+   joints. */
 static double normal_force(const context *c, int32_t f, const double *mu)
 {
     double sum = 0.0, root;
@@ -163,12 +182,16 @@ static double cone(const context *c, int32_t f, int sliding, double normal)
 }
 
 /* Whether friction f is smooth: it always slides, and no event begins or ends with it. */
-static inline int is_smooth(const context *c, int32_t f) { return c->number[c->m->smooth_speed_at + f] > 0.0; }
+static inline int is_smooth(const context *c, int32_t f)
+{ return c->number[c->m->smooth_speed_at + f] > 0.0; }
 
-/* Whether friction f may be deferred to the end of a half step: that of a contact with Coulomb's law. */
-static inline int may_be_deferred(const context *c, int32_t f) { return is_of_contact(c, f) && !is_smooth(c, f); }
+/* Whether friction f may be deferred to the end of a half step: that of a contact with Coulomb's
+   law. */
+static inline int may_be_deferred(const context *c, int32_t f)
+{ return is_of_contact(c, f) && !is_smooth(c, f); }
 
-static inline int is_deferred(const context *c, int32_t f) { return c->defers_friction && may_be_deferred(c, f); }
+static inline int is_deferred(const context *c, int32_t f)
+{ return c->defers_friction && may_be_deferred(c, f); }
 
 static int has_smooth(const context *c)
 {
@@ -177,37 +200,45 @@ static int has_smooth(const context *c)
     return 0;
 }
 
-/* A slip smaller than this part of what its friction changes in the step does not turn it at once. */
+/* A slip smaller than this part of what its friction changes in the step does not turn it at
+   once. */
 #define TURNING_PART 0.1
-/* But does once the increments are so many times smaller than what would let Newton's iteration miss it: a slip s that is off by d
-   turns a friction that changes slips by a through d/s, of which the iteration leaves a (d/s)^2, to be less than s. */
+/* But does once the increments are so many times smaller than what would let Newton's iteration
+   miss it: a slip s that is off by d turns a friction that changes slips by a through d/s, of which
+   the iteration leaves a (d/s)^2, to be less than s. */
 #define KNOWN_SLIP 10.0
 
-/* Direction of the slip of friction f, of a smooth one less than 1, and the size of that slip: of several rows or of a smooth
-   one that of the step at hand, else, at a state, or without slip, the direction with which it began to slide, and 0.
+/* Direction of the slip of friction f, of a smooth one less than 1, and the size of that slip: of
+   several rows or of a smooth one that of the step at hand, else, at a state, or without slip, the
+   direction with which it began to slide, and 0.
 
-   Of several rows the size is negative where the slip is against the direction with which it began, as in stages that go
-   back in time. A slip near 0 is no direction to follow, as Newton's iteration meets it where sliding begins or stops: the
-   force then turns towards it from where it is, and both agree after some iterations, which contract by a third only. From
-   where the slip is known the force follows it, as a smooth one does.                                          */
+   Of several rows the size is negative where the slip is against the direction with which it began,
+   as in stages that go back in time. A slip near 0 is no direction to follow, as Newton's iteration
+   meets it where sliding begins or stops: the force then turns towards it from where it is, and
+   both agree after some iterations, which contract by a third only. From where the slip is known
+   the force follows it, as a smooth one does. */
 static double slip_direction(const context *c, int32_t f, double *along)
 {
     const int n = n_slips(c, f), smooth = is_smooth(c, f);
     const double *began = friction_of(c, f) + F_ALONG_1;
     const double sigma = c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))]; /* [1/kg] */
     const double doubt2 = hm_square(KNOWN_SLIP * c->unsettled) * sigma;
-    double slip2 = 0.0, turn2 = 0.0, size2 = hm_square(c->number[c->m->smooth_speed_at + f]), ahead = 0.0, way[3];
+    double slip2 = 0.0, turn2 = 0.0, size2 = hm_square(c->number[c->m->smooth_speed_at + f]),
+           ahead = 0.0, way[3];
     for (int k = 0; k < n; k++) along[k] = began[k];
     if (c->at_state || (n == 1 && !smooth)) return 0.0;
     for (int k = 0; k < n; k++) {
         const int32_t row = row_of(c, slip_row(c, f, k));
         slip2 += hm_square(c->k.slip[row]);
-        way[k] = smooth ? 0.0 : TURNING_PART * fabs(c->h) * c->number[c->m->row_sigma_at + row] * c->k.mu[row];
+        way[k] =
+            smooth ? 0.0
+                   : TURNING_PART * fabs(c->h) * c->number[c->m->row_sigma_at + row] * c->k.mu[row];
         turn2 += way[k] * way[k];
         ahead += c->k.slip[row] * began[k];
     }
     const double sign = ahead < 0.0 && !smooth ? -1.0 : 1.0;
-    const double part = slip2 < turn2 && slip2 * slip2 * slip2 < doubt2 * doubt2 * turn2 ? 1.0 : 0.0;
+    const double part =
+        slip2 < turn2 && slip2 * slip2 * slip2 < doubt2 * doubt2 * turn2 ? 1.0 : 0.0;
     for (int k = 0; k < n; k++) {
         way[k] = part * way[k] + sign * c->k.slip[row_of(c, slip_row(c, f, k))];
         size2 += way[k] * way[k];
@@ -216,7 +247,8 @@ static double slip_direction(const context *c, int32_t f, double *along)
     return sign * sqrt(size2);
 }
 
-/* Sets the multipliers lambda that the rows of sliding frictions are held to, from those of the normal forces in mu. */
+/* Sets the multipliers lambda that the rows of sliding frictions are held to, from those of the
+   normal forces in mu. */
 static void follow_cones(const context *c)
 {
     if (!c->sliding) return;
@@ -225,12 +257,13 @@ static void follow_cones(const context *c)
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
         const double force = cone(c, f, 1, normal_force(c, f, c->k.mu));
         slip_direction(c, f, along);
-        for (int k = 0; k < n_slips(c, f); k++) c->k.lambda[row_of(c, slip_row(c, f, k))] = force * along[k];
+        for (int k = 0; k < n_slips(c, f); k++)
+            c->k.lambda[row_of(c, slip_row(c, f, k))] = force * along[k];
     }
 }
 
-/* Switches sliding frictions off (their mode changes its sign, which counts as off), or on again: part of the velocities that they
-   bring about would not be orthogonal to what rows allow.                                                       */
+/* Switches sliding frictions off (their mode changes its sign, which counts as off), or on again:
+   part of the velocities that they bring about would not be orthogonal to what rows allow. */
 static void suspend_sliding(context *c, int suspended)
 {
     EACH_FRICTION(c, f) {

@@ -1,10 +1,12 @@
-/* What laws read of the motion: at a state, in the middle of the step to come, or of the one that is solved for. */
+/* What laws read of the motion: at a state, in the middle of the step to come, or of the one that
+   is solved for. */
 #ifndef HOLONOM_SENSORS_H
 #define HOLONOM_SENSORS_H
 
 #include "function.h"
 
-/* Quantities that laws read, and their rates, at the configuration in `ahead` with the velocities in `ahead_rate`. */
+/* Quantities that laws read, and their rates, at the configuration in `ahead` with the velocities
+   in `ahead_rate`. */
 static void sense_ahead(const context *c)
 {
     const holonom_model *m = c->m;
@@ -20,7 +22,8 @@ static void sense_ahead(const context *c)
     }
 }
 
-/* Likewise in the middle of the step to come, predicted with the accelerations of the same half of the last pair. */
+/* Likewise in the middle of the step to come, predicted with the accelerations of the same half of
+   the last pair. */
 static void sense(const context *c, double h, int parity)
 {
     for (int32_t k = 0; k < DIM * c->n_moving; k++) {
@@ -31,15 +34,16 @@ static void sense(const context *c, double h, int parity)
     sense_ahead(c);
 }
 
-/* Whether laws read the middle of the increment that is solved for, and no prediction of it: under a tolerance, whose steps follow what
-   they do, but not where a law that jumps, as friction written with sign, has left no solution. */
+/* Whether laws read the middle of the increment that is solved for, and no prediction of it: under
+   a tolerance, whose steps follow what they do, but not where a law that jumps, as friction written
+   with sign, has left no solution. */
 static int reads_the_step(const context *c)
 {
     return c->m->sensing && c->tolerance > 0.0 && !c->stepping && !c->foretells;
 }
 
-/* Laws at the middle of the present increment d: so half steps are symmetric, and weighted covers keep their order. Potentials do not
-   read the motion, and stay as they are. */
+/* Laws at the middle of the present increment d: so half steps are symmetric, and weighted covers
+   keep their order. Potentials do not read the motion, and stay as they are. */
 HM_SELDOM static void read_the_step(const context *c)
 {
     for (int32_t k = 0; k < DIM * c->n_moving; k++) {

@@ -5,7 +5,8 @@
 
 #include "context.h"
 
-/* A square form within a step, s = |u|^2: the link where gradients are taken, the increment; returns the change of s. */
+/* A square form within a step, s = |u|^2: the link where gradients are taken, the increment;
+   returns the change of s. */
 static inline double square_motion(const context *c, int32_t f, double *du, double *um)
 {
     const holonom_model *m = c->m;
@@ -17,10 +18,12 @@ static inline double square_motion(const context *c, int32_t f, double *du, doub
     return 2.0 * dot(um, du);
 }
 
-/* Whether row i is |u|^2 - c = 0 in a step: a distance or the length of a direction, as most rows are. */
+/* Whether row i is |u|^2 - c = 0 in a step: a distance or the length of a direction, as most rows
+   are. */
 static inline int is_square_row(const context *c, int32_t i)
 {
-    return !is_seeking(c) && hm_skips(SKIP_SECOND_LINK) && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
+    return !is_seeking(c) && hm_skips(SKIP_SECOND_LINK)
+           && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
 }
 
 /* Form row i of the kind of is_square_row: the same numbers in one pass. */

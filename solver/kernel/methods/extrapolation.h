@@ -1,18 +1,22 @@
-/* Steps of order 4, 6 and 8 as weighted covers, under a tolerance and where dampers take energy out (theory 8.3).
+/* Steps of order 4, 6 and 8 as weighted covers, under a tolerance and where dampers take energy out
+   (theory 8.3).
 
-   A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
-   of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
-   (Richardson). Pairs keep constraints and ledger, weighted ends do so up to the order: they are put back onto the constraints, onto
-   the momenta that every cover kept, and onto the energy that the weighted ledger asks for. Contacts do not change within a step
-   (event.h): closed ones, and frictions that stick, are rows like others; what slides takes energy as dampers do. Some weights are
-   negative: where one of the losses would be, the end of the finest cover stands, in which each is what its pairs have taken. */
+   A composition goes back in time in between, where dampers would give energy. Here a step is
+   covered by 1, 2, ... pairs of half steps, all forwards. Their ends have errors in even powers of
+   the pairs' length, which weights cancel (Richardson). Pairs keep constraints and ledger, weighted
+   ends do so up to the order: they are put back onto the constraints, onto the momenta that every
+   cover kept, and onto the energy that the weighted ledger asks for. Contacts do not change within
+   a step (event.h): closed ones, and frictions that stick, are rows like others; what slides takes
+   energy as dampers do. Some weights are negative: where one of the losses would be, the end of the
+   finest cover stands, in which each is what its pairs have taken. */
 #ifndef HOLONOM_EXTRAPOLATION_H
 #define HOLONOM_EXTRAPOLATION_H
 
 #include "half_step.h"
 #include "put_back.h"
 
-#define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
+#define LARGEST_CHANGE                                                                             \
+    1e-2 /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 
 enum { N_WEIGHTED = 3 };
 static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTION};
@@ -36,9 +40,10 @@ static void begin_cover(context *c, double t, double law_time)
     c->rows_known = 0;
 }
 
-/* Adds the end of a cover to the weighted changes of the motion (in estimate), ledger and losses; and to what they differ by from those
-   without the coarsest cover, and these from those without the two coarsest. Energies of the islands are weighted, too; momenta that
-   changed are not kept. */
+/* Adds the end of a cover to the weighted changes of the motion (in estimate), ledger and losses;
+   and to what they differ by from those without the coarsest cover, and these from those without
+   the two coarsest. Energies of the islands are weighted, too; momenta that changed are not
+   kept. */
 static void weigh(context *c, int pairs, int covers, double *booked)
 {
     const int64_t n = c->s.n_motion;
@@ -114,8 +119,9 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
     return HOLONOM_OK;
 }
 
-/* One internal step: its weighted end, or that of the finest cover, of order 2. A pair that `is_judged` so is one of two covers. With
-   equal steps the finest cover stands, too, where the weighted end cannot be put back; under a tolerance the step is divided. */
+/* One internal step: its weighted end, or that of the finest cover, of order 2. A pair that
+   `is_judged` so is one of two covers. With equal steps the finest cover stands, too, where the
+   weighted end cannot be put back; under a tolerance the step is divided. */
 HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged, step_result *result)
 {
     const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;

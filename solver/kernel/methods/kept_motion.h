@@ -10,9 +10,11 @@
 
 /* What an island keeps over a step. */
 typedef struct kept_motion {
-    int flies; /* 1: nothing but weights joins it to the ground; its angular momenta are about its centre of mass, else the origin */
+    int flies; /* 1: nothing but weights joins it to the ground; its angular momenta are about its
+                  centre of mass, else the origin */
     int kept[RIGID];
-    double before[RIGID], scale[RIGID]; /* momenta that it is to have, and sums of their terms' sizes */
+    double before[RIGID],
+        scale[RIGID]; /* momenta that it is to have, and sums of their terms' sizes */
     double impulse[RIGID];              /* of its weights over the step */
     double kinetic, potential;          /* energies at the start of the step */
     double lacking;                     /* energy that its ledger lacked there */
@@ -30,9 +32,11 @@ static kept_motion *kept_of(const context *c)
     return (kept_motion *)(void *)(c->k.kept + KEPT_SIZE * (int64_t)c->first_island);
 }
 
-static int touches_ground(const context *c, int32_t f) { return c->m->form_free[f] < c->m->form_ptr[f + 1] - c->m->form_ptr[f]; }
+static int touches_ground(const context *c, int32_t f)
+{ return c->m->form_free[f] < c->m->form_ptr[f + 1] - c->m->form_ptr[f]; }
 
-/* Whether no row, spring, function or potential joins the island at hand to the ground or to a driven point. */
+/* Whether no row, spring, function or potential joins the island at hand to the ground or to a
+   driven point. */
 HM_SELDOM static int may_fly(const context *c)
 {
     const holonom_model *m = c->m;
@@ -78,13 +82,15 @@ static void momenta_now(const context *c, kept_motion *x, double *total, double 
     rigid_momenta(c, x->centre, x->kept, c->k.momentum, total, size);
 }
 
-/* Potential energy of the island at hand, of the only one as its change since the start of the run. */
+/* Potential energy of the island at hand, of the only one as its change since the start of the
+   run. */
 static double potential_of_island(const context *c)
 {
     return potential_since(c, c->m->n_islands == 1 ? c->s.head[S_STORED_START] : 0.0);
 }
 
-/* What dampers (S_DISSIPATED), or frictions (S_FRICTION), of the island at hand have taken in the step. */
+/* What dampers (S_DISSIPATED), or frictions (S_FRICTION), of the island at hand have taken in the
+   step. */
 HM_SELDOM static double lost_of(const context *c, int account)
 {
     double sum = 0.0;
@@ -94,7 +100,8 @@ HM_SELDOM static double lost_of(const context *c, int account)
     return sum;
 }
 
-/* Takes down what the islands have at the start of a step of length h: of their momenta all may be kept, of driven islands none. */
+/* Takes down what the islands have at the start of a step of length h: of their momenta all may be
+   kept, of driven islands none. */
 HM_SELDOM static void keep_motion(context *c, double h)
 {
     const holonom_model *m = c->m;
@@ -103,14 +110,18 @@ HM_SELDOM static void keep_motion(context *c, double h)
         kept_motion *x = kept_of(c);
         memset(x, 0, sizeof *x);
         x->flies = may_fly(c);
-        for (int i = 0; i < RIGID; i++) x->kept[i] = c->begin[ISLAND_DRIVEN] == c->end[ISLAND_DRIVEN];
+        for (int i = 0; i < RIGID; i++)
+            x->kept[i] = c->begin[ISLAND_DRIVEN] == c->end[ISLAND_DRIVEN];
         x->potential = potential_of_island(c);
         x->kinetic = kinetic_energy(c, c->k.momentum); /* leaves M v in momentum */
-        x->lacking = c->m->n_islands == 1 ? ledger_balance(c, x->kinetic, x->potential) : c->island[I_UNBALANCED];
+        x->lacking = c->m->n_islands == 1 ? ledger_balance(c, x->kinetic, x->potential)
+                                          : c->island[I_UNBALANCED];
         find_centre(c, x);
         rigid_momenta(c, x->centre, x->kept, c->k.momentum, x->before, x->scale);
         for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE] && x->flies; a++)
-            EACH(k) x->impulse[k] += h * c->number[m->node_weight_at + a] * c->number[m->gravity_at + k];
+            EACH(k)
+                x->impulse[k] +=
+                    h * c->number[m->node_weight_at + a] * c->number[m->gravity_at + k];
         EACH(k) x->before[k] += x->impulse[k];
     }
 }
@@ -123,13 +134,14 @@ static void forget_momenta(context *c)
     }
 }
 
-/* Energy that the ledger of the island at hand does not know of, with this potential energy. That of an only island is the ledger of
-   the run. */
+/* Energy that the ledger of the island at hand does not know of, with this potential energy. That
+   of an only island is the ledger of the run. */
 static double unbalanced(const context *c, const kept_motion *x, double potential)
 {
     const double kinetic = kinetic_energy(c, c->k.momentum); /* leaves M v in momentum */
     if (c->m->n_islands == 1) return ledger_balance(c, kinetic, potential);
-    return x->lacking + ((kinetic - x->kinetic) + (potential - x->potential)) - (x->work - x->dissipated);
+    return x->lacking + ((kinetic - x->kinetic) + (potential - x->potential))
+           - (x->work - x->dissipated);
 }
 
 /* Forgets those momenta of the islands that velocities have changed. */
@@ -140,21 +152,26 @@ HM_SELDOM static void forget_changed(context *c)
         kept_motion *x = kept_of(c);
         momenta_now(c, x, after, scale);
         for (int i = 0; i < RIGID; i++)
-            x->kept[i] &= fabs(after[i] - x->before[i]) <= MOMENTUM_ROUND_OFF * fmax(scale[i], x->scale[i]);
+            x->kept[i] &=
+                fabs(after[i] - x->before[i]) <= MOMENTUM_ROUND_OFF * fmax(scale[i], x->scale[i]);
     }
 }
 
-/* Adds the energies that the islands have gained so far, `weight` times, to those that they are to gain. */
+/* Adds the energies that the islands have gained so far, `weight` times, to those that they are to
+   gain. */
 HM_SELDOM static void weigh_energies(context *c, double weight)
 {
     EACH_ISLAND(c, island) {
         kept_motion *x = kept_of(c);
-        x->work += weight * ((kinetic_energy(c, c->k.momentum) - x->kinetic) + (potential_of_island(c) - x->potential));
+        x->work += weight
+                   * ((kinetic_energy(c, c->k.momentum) - x->kinetic)
+                      + (potential_of_island(c) - x->potential));
     }
 }
 
-/* Lets the islands gain `total` together, as the ledger says. The one with most energy makes up for the round-off of differences of
-   energies, which may be more than another one has that comes to rest. */
+/* Lets the islands gain `total` together, as the ledger says. The one with most energy makes up for
+   the round-off of differences of energies, which may be more than another one has that comes to
+   rest. */
 HM_SELDOM static void gain_together(context *c, double total)
 {
     double most = -1.0;
@@ -177,7 +194,9 @@ HM_SELDOM static void tell_corrections(context *c, step_result *result)
     }
 }
 
-#define EACH_FREE(c, k) for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE]; k < k##_end; k++)
+#define EACH_FREE(c, k)                                                                            \
+    for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE];         \
+         k < k##_end; k++)
 
 /* Adds so much of u (n) to the velocities at hand. */
 static void add_to_velocities(context *c, double part, const double *u)
@@ -185,38 +204,46 @@ static void add_to_velocities(context *c, double part, const double *u)
     EACH_FREE(c, k) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
 }
 
-/* Sizes of what the energy of the island at hand is summed of: weights, loads, springs and potentials act on places that are known
-   to round-off of the mechanism's size, however little it has moved. */
+/* Sizes of what the energy of the island at hand is summed of: weights, loads, springs and
+   potentials act on places that are known to round-off of the mechanism's size, however little it
+   has moved. */
 HM_SELDOM static double sizes_of_summands(const context *c, const kept_motion *x)
 {
     const holonom_model *m = c->m;
     const double *gravity = c->number + m->gravity_at, extent = c->number[m->extent_at];
-    double sum = kinetic_energy(c, c->k.ahead) + x->kinetic + fabs(x->work) + fabs(x->dissipated), weight = 0.0;
-    sum += LEDGER_ROUND_OFF * c->s.head[S_ENERGY_REFERENCE]; /* of velocities below round-off of the fastest */
-    static const int ACCOUNTS[] = {S_WORK, S_DISSIPATED, S_FRICTION, S_IMPACT}; /* of the run, whose ledger an only island has */
+    double sum = kinetic_energy(c, c->k.ahead) + x->kinetic + fabs(x->work) + fabs(x->dissipated),
+           weight = 0.0;
+    sum += LEDGER_ROUND_OFF
+           * c->s.head[S_ENERGY_REFERENCE]; /* of velocities below round-off of the fastest */
+    static const int ACCOUNTS[] = {S_WORK, S_DISSIPATED, S_FRICTION,
+                                   S_IMPACT}; /* of the run, whose ledger an only island has */
     for (int i = 0; i < 4 && m->n_islands == 1; i++) sum += fabs(c->s.head[ACCOUNTS[i]]);
     EACH_NODE(c, a) weight += c->number[m->node_weight_at + a];
     sum += weight * sqrt(dot(gravity, gravity)) * extent;
-    for IN_ISLAND(c, j, ISLAND_LOAD) EACH(k) sum += fabs(c->number[m->load_at + DIM * j + k]) * extent;
+    for
+        IN_ISLAND(c, j, ISLAND_LOAD)
+        EACH(k) sum += fabs(c->number[m->load_at + DIM * j + k]) * extent;
     for IN_ISLAND(c, j, ISLAND_MOMENT)
         for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->moment_at + TURNING * j + k]);
     for IN_ISLAND(c, j, ISLAND_BODY_MOMENT)
-        for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->body_moment_at + TURNING * j + k]);
+    for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->body_moment_at + TURNING * j + k]);
     if (m->n_potentials) quantities_at_state(c);
     EACH_ELEMENT(c, j) kind_of(c, j)->add_sizes(c, j, &sum);
     return sum;
 }
 
-/* Whether round-off explains an energy that the island at hand lacks, or what it lacks more than at the start of the step: what larger
-   energies have left before does not keep an island from coming to rest, nor has what stands velocities but those of round-off of
-   places over a step. */
+/* Whether round-off explains an energy that the island at hand lacks, or what it lacks more than at
+   the start of the step: what larger energies have left before does not keep an island from coming
+   to rest, nor has what stands velocities but those of round-off of places over a step. */
 HM_SELDOM static int is_round_off(const context *c, const kept_motion *x, double excess)
 {
     const double standing = 0.5 * hm_square(round_off_of_places(c) / c->h);
-    return fmin(fabs(excess), fabs(excess - x->lacking)) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x) + standing;
+    return fmin(fabs(excess), fabs(excess - x->lacking))
+           <= LEDGER_ROUND_OFF * sizes_of_summands(c, x) + standing;
 }
 
-/* Brings momenta of the island at hand back that are kept, by a motion as one rigid body: L is its mass matrix (factor_rigid). */
+/* Brings momenta of the island at hand back that are kept, by a motion as one rigid body: L is its
+   mass matrix (factor_rigid). */
 HM_SELDOM static void put_momenta_back(context *c, kept_motion *x, double L[RIGID][RIGID])
 {
     double lacking[RIGID], size[RIGID];

@@ -1,5 +1,5 @@
-/* Puts a state that is right up to the order of its step back onto rows, rates of rows, momenta that are kept, and the energy
-   that the ledger asks for. */
+/* Puts a state that is right up to the order of its step back onto rows, rates of rows, momenta
+   that are kept, and the energy that the ledger asks for. */
 #ifndef HOLONOM_PUT_BACK_H
 #define HOLONOM_PUT_BACK_H
 
@@ -9,12 +9,16 @@
 enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy */
 #define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy back, over the speed */
-#define LEAST_FREE 1e-8     /* part of the kinetic energy that velocities must have which momenta and rows leave free */
+#define LEAST_FREE                                                                                 \
+    1e-8 /* part of the kinetic energy that velocities must have which momenta and rows leave free
+            \ */
 
 /* Islands, one after the other at hand in both contexts, as EACH_ISLAND. */
-#define EACH_ISLAND_OF_BOTH(c, at, i) for (int32_t i = 0; take_island(c, i) & take_island(at, i); i++)
+#define EACH_ISLAND_OF_BOTH(c, at, i)                                                              \
+    for (int32_t i = 0; take_island(c, i) & take_island(at, i); i++)
 
-/* Changes of velocities that make up for the rates g in `phi`, as small as can be, or of coordinates for rows; added to x. */
+/* Changes of velocities that make up for the rates g in `phi`, as small as can be, or of
+   coordinates for rows; added to x. */
 static void add_correction(const context *at, double *x)
 {
     clear_nodes(at, at->k.momentum);
@@ -24,7 +28,8 @@ static void add_correction(const context *at, double *x)
     add_solution(at, x);
 }
 
-/* Lets equations at the state have turns of bodies for unknowns, and factors without stiffness where there are any. */
+/* Lets equations at the state have turns of bodies for unknowns, and factors without stiffness
+   where there are any. */
 static void take_unknowns(context *at)
 {
     take_turns(at, at->m->n_reduced_values > 0);
@@ -62,7 +67,8 @@ static void look_at_rows(context *at)
 }
 
 /* Puts coordinates back onto the rows, by displacements as small as can be. A
-   correction leaves the same part as the one before it: where that is round-off, rows are not looked at again.       */
+   correction leaves the same part as the one before it: where that is round-off, rows are not
+   looked at again. */
 HM_SELDOM static int32_t close_rows(context *at)
 {
     double last = INFINITY;
@@ -70,11 +76,13 @@ HM_SELDOM static int32_t close_rows(context *at)
         look_at_rows(at);
         EACH_ROW(at, row) at->k.phi[row] = at->k.phi0[row];
         const double defect = largest_row(at, at->k.phi);
-        if (defect < 1e-17 || (defect <= at->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
+        if (defect < 1e-17 || (defect <= at->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last)))
+            return HOLONOM_OK;
         clear_nodes(at, at->k.w);
         add_correction(at, at->k.w);
         EACH_FREE(at, k) hm_add(at->s.q + k, at->s.q_low + k, at->k.w[k]);
-        if (i && defect <= at->s.head[S_NEWTON_TOLERANCE] && defect / last * defect < 1e-17) return HOLONOM_OK;
+        if (i && defect <= at->s.head[S_NEWTON_TOLERANCE] && defect / last * defect < 1e-17)
+            return HOLONOM_OK;
         last = defect;
     }
     return last <= at->s.head[S_NEWTON_TOLERANCE] ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
@@ -89,16 +97,20 @@ HM_SELDOM static void turn_as_bodies(context *at)
         common_turn(at, at->m->body_node[b], at->s.v + first, omega);
         for (int k = 0; k < TURNING; k++) omega[k] = (double)(float)omega[k];
         for (int i = 0; i < DIM * TURNING; i += DIM)
-            internal_velocity(at->s.v + first + i, at->s.v_low + first + i, omega, at->s.q + first + i, at->s.q_low + first + i, left + i);
+            internal_velocity(at->s.v + first + i, at->s.v_low + first + i, omega,
+                              at->s.q + first + i, at->s.q_low + first + i, left + i);
         common_turn(at, at->m->body_node[b], left, rest);
         for (int i = 0; i < DIM * TURNING; i += DIM) {
             turned_by(rest, at->s.q + first + i, turned);
-            EACH(k) hm_add(at->s.v + first + i + k, at->s.v_low + first + i + k, turned[k] - left[i + k]);
+            EACH(k)
+                hm_add(at->s.v + first + i + k, at->s.v_low + first + i + k,
+                       turned[k] - left[i + k]);
         }
     }
 }
 
-/* Lets velocities follow rows and signals (in signal_rate), by the smallest change; it ends likewise. */
+/* Lets velocities follow rows and signals (in signal_rate), by the smallest change; it ends
+   likewise. */
 HM_SELDOM static void follow_rows(context *at)
 {
     const double round_off = 1e-17 * speed_scale(at) / at->number[at->m->extent_at + 1];
@@ -124,7 +136,8 @@ HM_SELDOM static int find_asked_rates(context *at)
     return largest_row(at, at->k.row_rate) > 0.0;
 }
 
-/* Takes from u (n) what rows do not allow, beyond the rates that they ask of what stands still, in row_rate. */
+/* Takes from u (n) what rows do not allow, beyond the rates that they ask of what stands still, in
+   row_rate. */
 HM_SELDOM static void leave_free(context *at, double *u)
 {
     row_rates(at, at->s.q, at->s.q_low, u, at->s.signal, at->k.signal_rate, at->k.phi);
@@ -132,14 +145,17 @@ HM_SELDOM static void leave_free(context *at, double *u)
     add_correction(at, u);
 }
 
-/* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are no signals. */
+/* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are
+   no signals. */
 HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double L[RIGID][RIGID])
 {
     double momentum[RIGID], unused[RIGID], *u = at->k.free;
-    const int asks = at->begin[ISLAND_VELOCITY] < at->end[ISLAND_VELOCITY] && find_asked_rates(at); /* else velocities on the rows are free */
+    const int asks = at->begin[ISLAND_VELOCITY] < at->end[ISLAND_VELOCITY]
+                     && find_asked_rates(at); /* else velocities on the rows are free */
     clear_nodes(at, u);
     EACH_FREE(at, k) u[k] = at->s.v[k] + at->s.v_low[k];
-    for (int repeat = 0; repeat < 3 && asks; repeat++) leave_free(at, u); /* what regularised factors leave is corrected again */
+    for (int repeat = 0; repeat < 3 && asks; repeat++)
+        leave_free(at, u); /* what regularised factors leave is corrected again */
     inertia(at, 1.0, u, at->k.momentum);
     rigid_momenta(at, x->centre, x->kept, at->k.momentum, momentum, unused);
     for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
@@ -147,8 +163,8 @@ HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double 
 }
 
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
-   u'Mu s^2/2 + v'Mu s + excess = 0. Where the mechanism almost stands, round-off of the energy would be much velocity: it is left.
-   Returns whether it could be done. */
+   u'Mu s^2/2 + v'Mu s + excess = 0. Where the mechanism almost stands, round-off of the energy
+   would be much velocity: it is left. Returns whether it could be done. */
 HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
@@ -158,7 +174,8 @@ HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential
         c->island[I_UNBALANCED] = excess;
         if (excess == 0.0) return 1;
         EACH_NODE(c, a) along += dot(u + DIM * a, c->k.momentum + DIM * a);
-        const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
+        const double part =
+            -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
         const double change = fabs(part) * sqrt(square) / speed_scale(c);
         if (!(change <= ENERGY_ROUND_OFF) && is_round_off(c, x, excess)) return 1;
         if (!(fabs(part) <= LARGEST_SCALING)) return 0;
@@ -169,7 +186,8 @@ HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential
     return 1;
 }
 
-/* Whether drivers move the island at hand, or loads that read the mechanism may act on it: their work is known to the order. */
+/* Whether drivers move the island at hand, or loads that read the mechanism may act on it: their
+   work is known to the order. */
 HM_SELDOM static int has_unknown_work(const context *c)
 {
     if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 1;
@@ -178,8 +196,9 @@ HM_SELDOM static int has_unknown_work(const context *c)
     return c->m->sensing && (is_loaded(c) || has_drives(c));
 }
 
-/* Lets what is lost in the step, and is known to its order, make up for an energy that velocities cannot bring back, as all stands for
-   a moment, for one where a slip stops. Returns whether so much is lost. */
+/* Lets what is lost in the step, and is known to its order, make up for an energy that velocities
+   cannot bring back, as all stands for a moment, for one where a slip stops. Returns whether so
+   much is lost. */
 HM_SELDOM static int make_up(context *c, double excess)
 {
     const double damped = lost_of(c, S_DISSIPATED), rubbed = lost_of(c, S_FRICTION);
@@ -188,8 +207,9 @@ HM_SELDOM static int make_up(context *c, double excess)
     return 1;
 }
 
-/* Puts velocities of the island at hand back: onto the rows' rates, momenta that are kept, and the energy. Returns whether they
-   could be: a spherical pendulum has for a moment no velocity that is free to bring the energy back. What flies turns for it. */
+/* Puts velocities of the island at hand back: onto the rows' rates, momenta that are kept, and the
+   energy. Returns whether they could be: a spherical pendulum has for a moment no velocity that is
+   free to bring the energy back. What flies turns for it. */
 HM_SELDOM static int put_island_velocities_back(context *c, context *at)
 {
     kept_motion *x = kept_of(c);
@@ -206,18 +226,21 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
         return 1;
     }
     free_velocities(at, x, L);
-    if (mass_product(c, c->k.free, c->k.free) >= LEAST_FREE * mass_product(c, c->s.v, c->s.v) && balance_energy(c, x, potential)) {
+    if (mass_product(c, c->k.free, c->k.free) >= LEAST_FREE * mass_product(c, c->s.v, c->s.v)
+        && balance_energy(c, x, potential)) {
         if (make_up(c, c->island[I_UNBALANCED])) c->island[I_UNBALANCED] = 0.0;
         return 1;
     }
     if (balance_by_turning(c, x, L, potential)) return 1;
-    /* Steady spins have no velocity and no turn that would change the energy: round-off of a step is left, and is seen in the ledger. */
+    /* Steady spins have no velocity and no turn that would change the energy: round-off of a step
+       is left, and is seen in the ledger. */
     c->island[I_UNBALANCED] = 0.0;
     const double excess = unbalanced(c, x, potential);
     return make_up(c, excess) || is_round_off(c, x, excess);
 }
 
-/* Likewise of all islands. Factors at hand are those of equations at the state, or at one as near; rates of signals are those now. */
+/* Likewise of all islands. Factors at hand are those of equations at the state, or at one as near;
+   rates of signals are those now. */
 static int put_velocities_back(context *c, context *at)
 {
     int done = 1;
@@ -225,8 +248,9 @@ static int put_velocities_back(context *c, context *at)
     return done;
 }
 
-/* Takes from velocities what half steps have left of them across the rows, which alternates from one to the next and is not damped:
-   places are on the rows. Momenta that rows let be are kept, and the energy. Where that cannot be, velocities stay as they are.  */
+/* Takes from velocities what half steps have left of them across the rows, which alternates from
+   one to the next and is not damped: places are on the rows. Momenta that rows let be are kept, and
+   the energy. Where that cannot be, velocities stay as they are. */
 HM_SELDOM static void put_only_velocities_back(context *c)
 {
     context at = rows_at_state(c);
@@ -244,13 +268,15 @@ HM_SELDOM static void put_only_velocities_back(context *c)
     if (!done) take_state(c, before);
 }
 
-/* Likewise coordinates, ahead of velocities; returns a failure where they cannot be, also where rows are too weak for it. */
+/* Likewise coordinates, ahead of velocities; returns a failure where they cannot be, also where
+   rows are too weak for it. */
 HM_SELDOM static int32_t put_back(context *c, context *at)
 {
     int32_t status = HOLONOM_OK;
     EACH_ISLAND_OF_BOTH(c, at, island) {
         if (status) continue;
-        for (int i = 0; i < 2; i++) EACH_TURN(at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
+        for (int i = 0; i < 2; i++)
+            EACH_TURN(at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
         status = close_rows(at);
         if (!status && !put_island_velocities_back(c, at)) status = HOLONOM_NOT_FINITE;
     }

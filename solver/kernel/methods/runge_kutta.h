@@ -1,8 +1,9 @@
 /* Explicit Runge-Kutta steps of order 8 or 5, under a tolerance (theory 8.8).
 
-   Accelerations follow from velocities, forces and rows by one linear solution, M a + G' mu = Q, G a = -bias. Twelve or six of them
-   tell the end of a step, which is right to the order. It is put back onto rows, momenta and energy, so that a step keeps them as
-   exactly as half steps do (Hairer, Lubich and Wanner 2006, IV.4). */
+   Accelerations follow from velocities, forces and rows by one linear solution, M a + G' mu = Q, G
+   a = -bias. Twelve or six of them tell the end of a step, which is right to the order. It is put
+   back onto rows, momenta and energy, so that a step keeps them as exactly as half steps do
+   (Hairer, Lubich and Wanner 2006, IV.4). */
 #ifndef HOLONOM_RUNGE_KUTTA_H
 #define HOLONOM_RUNGE_KUTTA_H
 
@@ -12,32 +13,47 @@
 #include "stages.h"
 
 enum { MOST_PASSES = 8 };
-#define SOFTER 1024.0           /* compliance of dependent rows in stages, over the usual: off the rows they would stop motion */
+#define SOFTER                                                                                     \
+    1024.0 /* compliance of dependent rows in stages, over the usual: off the rows they would stop \
+              motion */
 #define SHORTEST 0.2            /* times the length of the last step, of the next one */
 #define LEFT_OF_ROWS 1e-11      /* of their second derivatives, by Uzawa updates */
-#define WEAKEST_PIVOT 0.1       /* compliance of a row over what it determines, in stages: beyond, half steps pass a singular place */
-#define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
-#define LARGEST_DIFFERENCE 1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
-#define AIMED_DIFFERENCE 5e-4   /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked for more steps */
-/* Impacts multiply errors of the motion before them; explicit steps have no margin for that, so that each error counts so many times. */
+#define WEAKEST_PIVOT                                                                              \
+    0.1 /* compliance of a row over what it determines, in stages: beyond, half steps pass a       \
+           singular place */
+#define SLOW 0.5 /* more than so much of what was left before: rows depend on each other */
+#define LARGEST_DIFFERENCE                                                                         \
+    1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
+#define AIMED_DIFFERENCE                                                                           \
+    5e-4 /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked    \
+            for more steps */
+/* Impacts multiply errors of the motion before them; explicit steps have no margin for that, so
+   that each error counts so many times. */
 #define IMPACTS_GROW 10.0
-#define MOST_HELD 3.0           /* steps in a row that could not be put back: then compositions serve for good */
+#define MOST_HELD                                                                                  \
+    3.0 /* steps in a row that could not be put back: then compositions serve for good */
 
-/* Whether a model allows explicit steps: put_back brings rows and energy back, and laws tell their powers at any moment. */
+/* Whether a model allows explicit steps: put_back brings rows and energy back, and laws tell their
+   powers at any moment. */
 HM_SELDOM static int allows_explicit(const context *c)
 {
     return !is_stepped(c) && !(c->m->variable_potential && c->m->time_dependent) && are_smooth(c);
 }
 
-/* Whether steps may be explicit now. A friction that slides takes energy by pairs alone: some weights of stages are negative. */
+/* Whether steps may be explicit now. A friction that slides takes energy by pairs alone: some
+   weights of stages are negative. */
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
-    const double mass = c->number[c->m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
-    return mass > 0.0 && c->tolerance > 0.0 && !c->sliding && c->s.head[S_HELD] < MOST_HELD && allows_explicit(c);
+    const double mass =
+        c->number[c->m->extent_at
+                  + 1]; /* none where drivers move springs alone: then nothing measures errors */
+    return mass > 0.0 && c->tolerance > 0.0 && !c->sliding && c->s.head[S_HELD] < MOST_HELD
+           && allows_explicit(c);
 }
 
 /* Whether the state is the end of an explicit step. */
-static int ends_explicitly(const context *c) { return c->s.head[S_HALVES] == 0.0 && c->s.head[S_KNOWN] > 0.0; }
+static int ends_explicitly(const context *c)
+{ return c->s.head[S_HALVES] == 0.0 && c->s.head[S_KNOWN] > 0.0; }
 
 /* Longest explicit step, where the last one was none. */
 HM_SELDOM static void find_longest(context *c)
@@ -47,8 +63,8 @@ HM_SELDOM static void find_longest(context *c)
     c->s.head[S_LONGEST_EXPLICIT] = factorise_here(&at) ? 0.0 : longest_explicit(&at);
 }
 
-/* Second derivative of a row that holds directions a and b, which may be one of the ground, in form f, at angular velocities
-   (in spun) that do not change. */
+/* Second derivative of a row that holds directions a and b, which may be one of the ground, in form
+   f, at angular velocities (in spun) that do not change. */
 static double second_rate_of_axes(const context *at, int32_t f)
 {
     const axes x = axes_of(at, f, at->k.middle);
@@ -62,11 +78,13 @@ static double second_rate_of_axes(const context *at, int32_t f)
     return rate + 2.0 * dot(a, b) + dot(x.a, bend);
 }
 
-/* Second derivatives of the rows at hand at the accelerations w, of bodies that do not turn faster (in phi). */
+/* Second derivatives of the rows at hand at the accelerations w, of bodies that do not turn faster
+   (in phi). */
 static void second_rates(const context *at)
 {
     const holonom_model *m = at->m;
-    const double *rest = at->k.d, *steady = at->k.signal_before; /* what signals do is in the biases */
+    const double *rest = at->k.d,
+                 *steady = at->k.signal_before; /* what signals do is in the biases */
     double vu[DIM], vw[DIM], au[DIM], aw[DIM];
     memset(at->k.signal_before, 0, sizeof(double) * (size_t)m->n_signals);
     EACH_FORM_ROW(at, i) {
@@ -77,14 +95,19 @@ static void second_rates(const context *at)
         }
         link_of(at, f, at->s.v, vu, vw);
         link_of(at, f, at->k.w, au, aw);
-        at->k.phi[i] = 2.0 * dot(vu, vw) + dot(at->k.u0 + DIM * f, aw) + dot(at->k.w0 + DIM * f, au);
+        at->k.phi[i] =
+            2.0 * dot(vu, vw) + dot(at->k.u0 + DIM * f, aw) + dot(at->k.w0 + DIM * f, au);
     }
-    for IN_ISLAND(at, j, ISLAND_COINCIDENCE) link_of(at, m->coincidence_form[j], at->k.w, at->k.phi + m->n_form_rows + DIM * j, aw);
+    for
+        IN_ISLAND(at, j, ISLAND_COINCIDENCE)
+        link_of(at, m->coincidence_form[j], at->k.w, at->k.phi + m->n_form_rows + DIM * j, aw);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         for IN_ISLAND(at, j, k) {
             double *rate = at->k.phi + row_of(at, j);
-            *rate = bias_of(at, j) + function_rate(at, j, at->s.q, at->s.q_low, at->k.w, at->s.signal, steady);
-            if (is_velocity_row(at, j)) *rate -= function_rate(at, j, at->s.q, at->s.q_low, rest, at->s.signal, steady);
+            *rate = bias_of(at, j)
+                    + function_rate(at, j, at->s.q, at->s.q_low, at->k.w, at->s.signal, steady);
+            if (is_velocity_row(at, j))
+                *rate -= function_rate(at, j, at->s.q, at->s.q_low, rest, at->s.signal, steady);
         }
 }
 
@@ -95,7 +118,8 @@ static void soften(const context *at, double times)
     EACH_ROW(at, i) at->k.epsilon[i] *= times;
 }
 
-/* Accelerations a (n) and multipliers (n_rows; near ones on entry) of the island at hand at the state. */
+/* Accelerations a (n) and multipliers (n_rows; near ones on entry) of the island at hand at the
+   state. */
 static int32_t solve_accelerations(context *at, double *a, double *multipliers)
 {
     const holonom_model *m = at->m;
@@ -103,16 +127,20 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
     int32_t status = factorise_here(at);
     if (status) return status;
     clear_nodes(at, at->k.w);
-    for (int32_t k = DIM * at->begin[ISLAND_DRIVEN]; k < DIM * at->end[ISLAND_DRIVEN]; k++) at->k.w[k] = at->k.signal_bend[k - DIM * m->n_free];
+    for (int32_t k = DIM * at->begin[ISLAND_DRIVEN]; k < DIM * at->end[ISLAND_DRIVEN]; k++)
+        at->k.w[k] = at->k.signal_bend[k - DIM * m->n_free];
     EACH_TURN(at, b) { /* what directors have where their bodies do not turn faster */
         const int32_t first = DIM * m->body_node[b];
         double *omega = at->k.spun + first;
         common_turn(at, m->body_node[b], at->s.v + first, omega);
-        for (int i = first; i < first + DIM * TURNING; i += DIM) turned_by(omega, at->s.v + i, at->k.w + i);
+        for (int i = first; i < first + DIM * TURNING; i += DIM)
+            turned_by(omega, at->s.v + i, at->k.w + i);
     }
-    /* What dependent rows do not determine would stay and grow; those of rows in trees are found at once. */
+    /* What dependent rows do not determine would stay and grow; those of rows in trees are found at
+       once. */
     EACH_ROW(at, i) {
-        if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT || is_in_tree(at, i)) multipliers[i] = 0.0;
+        if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT || is_in_tree(at, i))
+            multipliers[i] = 0.0;
         at->k.mu[i] = at->k.lambda[i] = multipliers[i];
     }
     if ((status = residual_at_state(at))) return status;
@@ -137,7 +165,8 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
         last = left;
     }
     const int32_t first = DIM * at->begin[ISLAND_FREE];
-    return all_finite(a + first, DIM * at->end[ISLAND_FREE] - first) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
+    return all_finite(a + first, DIM * at->end[ISLAND_FREE] - first) ? HOLONOM_OK
+                                                                     : HOLONOM_NOT_FINITE;
 }
 
 /* Likewise, of dependent rows with a larger compliance. */
@@ -149,7 +178,8 @@ static int32_t accelerate(context *at, double *a, double *multipliers)
     return status;
 }
 
-/* Adds `time` times the powers of the island at hand at the state: of loads, moments and drives, and of each damper to its loss. */
+/* Adds `time` times the powers of the island at hand at the state: of loads, moments and drives,
+   and of each damper to its loss. */
 HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion *x)
 {
     const holonom_model *m = at->m;
@@ -168,15 +198,17 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion 
     return status;
 }
 
-/* Laws at part c of a step of length h from t, of its inside: they may jump at its ends. What they read is the state. */
+/* Laws at part c of a step of length h from t, of its inside: they may jump at its ends. What they
+   read is the state. */
 HM_SELDOM static void laws_within(context *at, double t, double h, double c)
 {
     if (at->m->sensing) sense(at, 0.0, 0);
     if (at->m->time_dependent || at->m->sensing) set_laws(at, inside_of_step(t, h, c), 0);
 }
 
-/* Forgets those momenta of the island at hand that the accelerations a change in a time h, beyond what weights do to what flies. If
-   nothing else acts on that it keeps all: between rows that stages are off by a little reactions seem to turn it. */
+/* Forgets those momenta of the island at hand that the accelerations a change in a time h, beyond
+   what weights do to what flies. If nothing else acts on that it keeps all: between rows that
+   stages are off by a little reactions seem to turn it. */
 HM_SELDOM static void look_for_forces(const context *c, double h, const double *a, kept_motion *x)
 {
     double rate[RIGID], size[RIGID];
@@ -184,17 +216,20 @@ HM_SELDOM static void look_for_forces(const context *c, double h, const double *
     inertia(c, 1.0, a, c->k.momentum);
     find_centre(c, x);
     rigid_momenta(c, x->centre, x->kept, c->k.momentum, rate, size);
-    for (int i = 0; i < RIGID; i++) x->kept[i] &= fabs(h * rate[i] - x->impulse[i]) <= MOMENTUM_ROUND_OFF * fmax(h * size[i], x->scale[i]);
+    for (int i = 0; i < RIGID; i++)
+        x->kept[i] &= fabs(h * rate[i] - x->impulse[i])
+                      <= MOMENTUM_ROUND_OFF * fmax(h * size[i], x->scale[i]);
 }
 
-/* Whether some rows of the island at hand, of which none depend on each other elsewhere, hardly determine their multipliers at this
-   state: their compliance would hold as much as they do. */
+/* Whether some rows of the island at hand, of which none depend on each other elsewhere, hardly
+   determine their multipliers at this state: their compliance would hold as much as they do. */
 static int is_singular_here(const context *at)
 {
     double largest = 0.0;
     if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT) return 0;
     EACH_ROW(at, i)
-        if (state_of_multiplier(at, i) == ROW_IS_ON) largest = fmax(largest, fabs(inverse_pivot(at, i)) * at->k.epsilon[i]);
+        if (state_of_multiplier(at, i) == ROW_IS_ON)
+            largest = fmax(largest, fabs(inverse_pivot(at, i)) * at->k.epsilon[i]);
     return !(largest < WEAKEST_PIVOT);
 }
 
@@ -210,7 +245,8 @@ static int32_t accelerate_all(context *at)
     return status;
 }
 
-/* Works of the islands at a stage of this weight in a step of length h; where something may change at it, momenta that it does not. */
+/* Works of the islands at a stage of this weight in a step of length h; where something may change
+   at it, momenta that it does not. */
 static int32_t follow_islands(context *at, double h, double weight, int changes)
 {
     int32_t status = HOLONOM_OK;
@@ -226,8 +262,10 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h)
 {
     const int64_t n = 2 * stage_size(at);
     const double t = at->t;
-    const int changes = at->m->time_dependent || at->m->sensing || at->m->n_signals, known = ends_explicitly(at) && !changes;
-    const int reads_angles = n_composites(at) || at->m->sensing; /* formulas, springs and sensors may read them */
+    const int changes = at->m->time_dependent || at->m->sensing || at->m->n_signals,
+              known = ends_explicitly(at) && !changes;
+    const int reads_angles =
+        n_composites(at) || at->m->sensing; /* formulas, springs and sensors may read them */
     double *sum = at->k.estimate;
     memset(sum, 0, sizeof(double) * (size_t)n);
     for (int i = 0; i < x->stages; i++) {
@@ -238,7 +276,8 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h)
         if (!status && (i || !known)) status = accelerate_all(at);
         else if (!status) rest_here(at);
         /* Only laws, and drivers, pause at both ends and not in between. */
-        if (!status) status = follow_islands(at, h, x->weight[i], i == 0 || i == x->stages - 1 || changes);
+        if (!status)
+            status = follow_islands(at, h, x->weight[i], i == 0 || i == x->stages - 1 || changes);
         if (status) return status;
         keep_forces(at, t + h * x->node[i], at->s.mu[0]);
         take_stage(at, h, sum, at->s.a[0], at->k.stages + n * i);
@@ -254,7 +293,8 @@ HM_SELDOM static double difference_of_stages(const context *at, const runge_kutt
     return first * first / hm_hypot(first, 0.1 * h * size_of_sum(at, x->difference[1], x->stages));
 }
 
-/* Part of the difference from the first step of lower order that rows leave free. Factors are those of the end. */
+/* Part of the difference from the first step of lower order that rows leave free. Factors are those
+   of the end. */
 HM_SELDOM static double free_part(context *at, const runge_kutta *x)
 {
     double *sum = at->k.estimate, *u = at->k.free, square[2] = {0.0, 0.0};
@@ -279,7 +319,8 @@ HM_SELDOM static double free_part(context *at, const runge_kutta *x)
     return square[0] > 0.0 ? fmin(1.0, sqrt(square[1] / square[0])) : 1.0;
 }
 
-/* Keeps the start of a step, of which velocities that other steps have left off the rows are put back first, if they can be. */
+/* Keeps the start of a step, of which velocities that other steps have left off the rows are put
+   back first, if they can be. */
 HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
 {
     keep_state(c, c->k.pair_backup);
@@ -296,7 +337,8 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
 }
 
 /* Forces on driven nodes at the state, of accelerations a and multipliers mu. */
-HM_SELDOM static int32_t hold_driven(const context *at, const double *a, const double *mu, double *force)
+HM_SELDOM static int32_t hold_driven(const context *at, const double *a, const double *mu,
+                                     double *force)
 {
     const int32_t first = DIM * at->m->n_free;
     memcpy(at->k.w, a, sizeof(double) * (size_t)(DIM * at->n_moving));
@@ -306,7 +348,8 @@ HM_SELDOM static int32_t hold_driven(const context *at, const double *a, const d
     return status;
 }
 
-/* Accelerations and multipliers of the end of a step, for outputs and for the first stage of the next one. */
+/* Accelerations and multipliers of the end of a step, for outputs and for the first stage of the
+   next one. */
 HM_SELDOM static int32_t remember_end(context *c, context *at)
 {
     follow_signals(c, c->t - c->h, c->h, 1.0);
@@ -323,7 +366,8 @@ HM_SELDOM static int32_t remember_end(context *c, context *at)
     return status;
 }
 
-/* Books what loads and drives have done to the islands in a step, and what their dampers have taken. */
+/* Books what loads and drives have done to the islands in a step, and what their dampers have
+   taken. */
 HM_SELDOM static void book_works(context *c)
 {
     EACH_ISLAND(c, island) {
@@ -335,7 +379,8 @@ HM_SELDOM static void book_works(context *c)
 }
 
 /* Stages and end of a step, to be put back; factors are those of the end. */
-HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, step_result *result)
+HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h,
+                                         step_result *result)
 {
     int32_t status = keep_explicit_start(c, at);
     keep_motion(c, h);
@@ -347,7 +392,8 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     if (status) return status;
     result->difference = difference_of_stages(at, x, h);
     if (!(result->difference <= LARGEST_DIFFERENCE)) {
-        result->shorter = fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / result->difference, 1.0 / x->order));
+        result->shorter =
+            fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / result->difference, 1.0 / x->order));
         return HOLONOM_NOT_FINITE;
     }
     signals_at(c, c->t + h, c->k.signal1);
@@ -359,12 +405,14 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
     if (!status) book_works(c);
     if (!status) status = factorise_here(at);
-    result->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(result->difference, 1e-30), 1.0 / x->order);
+    result->longest_put_back =
+        h * hm_pow(AIMED_DIFFERENCE / fmax(result->difference, 1e-30), 1.0 / x->order);
     if (!status) result->free_part = free_part(at, x);
     return status;
 }
 
-/* Leaves the forces at the start of a step that has failed in momentum: t is its time; fault.h names the part of the largest one. */
+/* Leaves the forces at the start of a step that has failed in momentum: t is its time; fault.h
+   names the part of the largest one. */
 HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, double h)
 {
     take_state(c, c->k.pair_backup);
@@ -374,8 +422,9 @@ HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, do
     inertia(c, 1.0, c->s.a[0], c->k.momentum);
 }
 
-/* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after
-   MOST_HELD in a row others are, too: they learn their errors anew. */
+/* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is
+   left to be taken otherwise; after MOST_HELD in a row others are, too: they learn their errors
+   anew. */
 HM_SELDOM static int32_t runge_kutta_step(context *c, double h, step_result *result)
 {
     const runge_kutta *x = method_of_order((int)c->s.head[S_ORDER_IN_USE]);

@@ -5,8 +5,9 @@
 #include "contact.h"
 #include "step_halving.h"
 
-/* Pieces shorter than this part of a usual step are stepped over by Taylor's series: half steps would divide the rounding
-   errors of rows and signals by their length. What it leaves out is of the third order.                         */
+/* Pieces shorter than this part of a usual step are stepped over by Taylor's series: half steps
+   would divide the rounding errors of rows and signals by their length. What it leaves out is of
+   the third order. */
 #define SHORTEST_PIECE 1e-6
 
 static int is_short(const context *c, double h) { return h < SHORTEST_PIECE * usual_length(c); }
@@ -26,7 +27,8 @@ HM_SELDOM static void powers_at_state(const context *c, double *damping, double 
     for (int32_t f = 0; f < n_frictions(m); f++)
         if (friction_mode(c, f) == FRICTION_SLIDES)
             for (int k = 0; k < n_slips(c, f); k++)
-                *friction += c->k.event_mu[row_of(c, slip_row(c, f, k))] * rate_of_row(c, slip_row(c, f, k));
+                *friction +=
+                    c->k.event_mu[row_of(c, slip_row(c, f, k))] * rate_of_row(c, slip_row(c, f, k));
 }
 
 /* Moves on by h with the accelerations in w; what signals drive goes where they are then. */
@@ -44,7 +46,8 @@ HM_SELDOM static void move_by_series(context *c, double h)
     follow_turns(c);
 }
 
-/* A piece of length h, with what dampers and frictions take; the rest of the change of energy is work. */
+/* A piece of length h, with what dampers and frictions take; the rest of the change of energy is
+   work. */
 HM_SELDOM static int32_t short_piece(context *c, double h)
 {
     double damping, friction;

@@ -1,4 +1,5 @@
-/* Stages of an explicit step: velocities and accelerations of points and of bodies' turns, and where sums of them lead. */
+/* Stages of an explicit step: velocities and accelerations of points and of bodies' turns, and
+   where sums of them lead. */
 #ifndef HOLONOM_STAGES_H
 #define HOLONOM_STAGES_H
 
@@ -6,13 +7,16 @@
 #include "runge_kutta_methods.h"
 #include "inputs_signals.h"
 
-/* A stage has velocities and accelerations of each point, and those of the rotation vector psi of each body. */
+/* A stage has velocities and accelerations of each point, and those of the rotation vector psi of
+   each body. */
 static inline int64_t stage_size(const context *at)
 {
-    return DIM * (int64_t)at->n_moving - (is_reduced(at) ? (DIM - 1) * TURNING * (int64_t)n_bodies(at->m) : 0);
+    return DIM * (int64_t)at->n_moving
+           - (is_reduced(at) ? (DIM - 1) * TURNING * (int64_t)n_bodies(at->m) : 0);
 }
 
-/* First node behind those of a point or a body's directors that begin with node a, and components that they have in a stage. */
+/* First node behind those of a point or a body's directors that begin with node a, and components
+   that they have in a stage. */
 static inline int32_t behind(const context *at, int32_t a, int *components)
 {
     *components = a < at->m->n_free ? unknown_size(at, a) : DIM;
@@ -35,7 +39,8 @@ static void weigh_stages(const context *at, const double *weight, int stages, do
     }
 }
 
-/* Size of the sum of so many stages with these weights, relative to size and speed: of the island where it is largest. */
+/* Size of the sum of so many stages with these weights, relative to size and speed: of the island
+   where it is largest. */
 HM_SELDOM static double size_of_sum(const context *at, const double *weight, int stages)
 {
     const double *x = at->k.estimate, *v = x + stage_size(at);
@@ -47,9 +52,11 @@ HM_SELDOM static double size_of_sum(const context *at, const double *weight, int
         const span nodes = free_nodes(at, island);
         double square[2] = {0.0, 0.0};
         for (int32_t a = nodes.begin; a < nodes.end; x += components, v += components) {
-            const double mass = (is_director(at, a) ? DIM - 1 : 1) * at->number[at->m->node_mass_at + a];
+            const double mass =
+                (is_director(at, a) ? DIM - 1 : 1) * at->number[at->m->node_mass_at + a];
             a = behind(at, a, &components);
-            for (int k = 0; k < components; k++) square[0] += mass * x[k] * x[k], square[1] += mass * v[k] * v[k];
+            for (int k = 0; k < components; k++)
+                square[0] += mass * x[k] * x[k], square[1] += mass * v[k] * v[k];
         }
         const double times = sqrt(weight_of_island(at, island, all));
         const double size = relative_size(at, times * sqrt(square[0]), times * sqrt(square[1]));
@@ -58,9 +65,9 @@ HM_SELDOM static double size_of_sum(const context *at, const double *weight, int
     return largest;
 }
 
-/* How fast the rotation vector psi of a turn changes at the angular velocity omega (psi_rate, overwritten):
-   omega - psi x omega/2 + (1 - theta/2 cot(theta/2)) psi x (psi x omega)/theta^2, theta = |psi| (Hairer, Lubich and Wanner 2006,
-   IV.7). */
+/* How fast the rotation vector psi of a turn changes at the angular velocity omega (psi_rate,
+   overwritten): omega - psi x omega/2 + (1 - theta/2 cot(theta/2)) psi x (psi x omega)/theta^2,
+   theta = |psi| (Hairer, Lubich and Wanner 2006, IV.7). */
 static void rate_of_rotation(const double *psi, const double *omega, double *psi_rate)
 {
 #if DIM == 2
@@ -68,8 +75,10 @@ static void rate_of_rotation(const double *psi, const double *omega, double *psi
     psi_rate[0] = omega[0];
 #else
     const double square = dot(psi, psi), theta = sqrt(square);
-    const double bend = square < 0.01 ? 1.0 / 12.0 + square * (1.0 / 720.0 + square * (1.0 / 30240.0 + square / 1209600.0))
-                                      : (1.0 - 0.5 * theta * hm_sin(theta) / (1.0 - hm_cos(theta))) / square;
+    const double bend =
+        square < 0.01
+            ? 1.0 / 12.0 + square * (1.0 / 720.0 + square * (1.0 / 30240.0 + square / 1209600.0))
+            : (1.0 - 0.5 * theta * hm_sin(theta) / (1.0 - hm_cos(theta))) / square;
     double once[3], twice[3];
     cross_product(psi, omega, once);
     cross_product(psi, once, twice);
@@ -77,12 +86,14 @@ static void rate_of_rotation(const double *psi, const double *omega, double *psi
 #endif
 }
 
-/* Turns the directors from node a on by the rotation vector psi; their velocities are those of omega. */
+/* Turns the directors from node a on by the rotation vector psi; their velocities are those of
+   omega. */
 static void turn_by(context *at, int32_t a, const double *psi, const double *omega)
 {
     double square = 0.0, x[DIM], y[DIM];
     for (int k = 0; k < TURNING; k++) square += psi[k] * psi[k];
-    const double theta = sqrt(square), half = hm_sin(0.5 * theta), sine = theta > 0.0 ? hm_sin(theta) / theta : 1.0;
+    const double theta = sqrt(square), half = hm_sin(0.5 * theta),
+                 sine = theta > 0.0 ? hm_sin(theta) / theta : 1.0;
     const double bend = theta > 0.0 ? 2.0 * half * half / square : 0.5;
     for (int32_t i = DIM * a, end = i + DIM * TURNING; i < end; i += DIM) {
         turned_by(psi, at->s.q + i, x);
@@ -93,7 +104,8 @@ static void turn_by(context *at, int32_t a, const double *psi, const double *ome
     }
 }
 
-/* Of a body, and of an angle that is measured, in a step [rad]: angles are followed where they change by less than pi. */
+/* Of a body, and of an angle that is measured, in a step [rad]: angles are followed where they
+   change by less than pi. */
 #define LARGEST_TURN 2.9
 
 /* Largest rate of an angle that is measured [rad/s]. */
@@ -148,11 +160,13 @@ static void turn_angles(context *at)
 }
 
 /* A stage from the state, the sum that it was reached by, over h, and the accelerations. */
-static void take_stage(const context *at, double h, const double *sum, const double *acceleration, double *stage)
+static void take_stage(const context *at, double h, const double *sum, const double *acceleration,
+                       double *stage)
 {
     double *rate = stage + stage_size(at), psi[TURNING], omega[TURNING];
     int components;
-    for (int32_t a = 0, next; a < at->n_moving; a = next, stage += components, rate += components, sum += components) {
+    for (int32_t a = 0, next; a < at->n_moving;
+         a = next, stage += components, rate += components, sum += components) {
         next = behind(at, a, &components);
         if (!is_director(at, a)) {
             const double own = a < at->m->n_free; /* signals move the others */

@@ -1,19 +1,23 @@
-/* Internal steps of order 2, 4, 6 and 8: compositions of pairs of half steps, weighted covers, or explicit; halving on failure. */
+/* Internal steps of order 2, 4, 6 and 8: compositions of pairs of half steps, weighted covers, or
+   explicit; halving on failure. */
 #ifndef HOLONOM_STEP_HALVING_H
 #define HOLONOM_STEP_HALVING_H
 
 #include "extrapolation.h"
 #include "runge_kutta.h"
 
-/* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
-   The plain step is not near the identity as h goes to 0 (it reflects the velocity normal to the constraints), the
-   pair is, so that it composes (theory 8.1). Parts beyond the middle repeat the first ones in reverse.
-   Order 4: Suzuki 1990; 6: Kahan and Li 1997, s9odr6a; 8: the 15 stages of Suzuki and Umeno 1993.              */
+/* A symmetric composition of pairs with these parts of the step has the order given: each stage
+   conserves by itself. The plain step is not near the identity as h goes to 0 (it reflects the
+   velocity normal to the constraints), the pair is, so that it composes (theory 8.1). Parts beyond
+   the middle repeat the first ones in reverse. Order 4: Suzuki 1990; 6: Kahan and Li 1997, s9odr6a;
+   8: the 15 stages of Suzuki and Umeno 1993. */
 static double stage(int order, int i, int *stages)
 {
-    static const double fourth[] = {0.41449077179437573714, 0.41449077179437573714, -0.65796308717750294857};
-    static const double sixth[] = {0.39216144400731413928, 0.33259913678935943860, -0.70624617255763935981,
-                                   0.082213596293550800230, 0.79854399093482996340};
+    static const double fourth[] = {0.41449077179437573714, 0.41449077179437573714,
+                                    -0.65796308717750294857};
+    static const double sixth[] = {0.39216144400731413928, 0.33259913678935943860,
+                                   -0.70624617255763935981, 0.082213596293550800230,
+                                   0.79854399093482996340};
     static const double eighth[] = {0.74167036435061295344822780, -0.40910082580003159399730010,
                                     0.19075471029623837995387626, -0.57386247111608226665638773,
                                     0.29906418130365592384446354, 0.33462491824529818378495798,
@@ -25,24 +29,29 @@ static double stage(int order, int i, int *stages)
     return parts[i <= middle ? i : 2 * middle - i];
 }
 
-/* -------------------------------------------------------------------------------------- internal steps */
+/* ------------------------------------------------------------------------------- internal steps */
 
-/* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short for a moment. Shorter steps do
-   not help rows that may contradict each other, contacts, what turns all the time too fast even for a step with FEW_HALVINGS, and an
-   iteration that is allowed few increments. */
+/* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short
+   for a moment. Shorter steps do not help rows that may contradict each other, contacts, what turns
+   all the time too fast even for a step with FEW_HALVINGS, and an iteration that is allowed few
+   increments. */
 enum { MOST_HALVINGS = 16, FEW_HALVINGS = 6, FEW_INCREMENTS = 10 };
 
 static int most_halvings(const context *c, double h, int32_t status)
 {
     const double longest = MOST_TURNED * (2 << FEW_HALVINGS);
-    const int is_whipped = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE;
-    int few = is_unilateral(c->m) || !is_whipped || c->s.head[S_MAX_NEWTON] < FEW_INCREMENTS || fabs(h) * fastest_turn(c) > longest;
-    for (int32_t island = 0; island < c->m->n_islands; island++) few |= c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT;
+    const int is_whipped = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE
+                           || status == HOLONOM_TURN_TOO_LARGE;
+    int few = is_unilateral(c->m) || !is_whipped || c->s.head[S_MAX_NEWTON] < FEW_INCREMENTS
+              || fabs(h) * fastest_turn(c) > longest;
+    for (int32_t island = 0; island < c->m->n_islands; island++)
+        few |= c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT;
     return few ? FEW_HALVINGS : MOST_HALVINGS;
 }
 
 /* Longest explicit step of an order. */
-static double longest_of(const context *c, int order) { return method_of_order(order)->resolved * c->s.head[S_LONGEST_EXPLICIT]; }
+static double longest_of(const context *c, int order)
+{ return method_of_order(order)->resolved * c->s.head[S_LONGEST_EXPLICIT]; }
 
 /* Likewise at the present angular velocities, which may grow in the step. */
 static double longest_now(const context *c, int order)
@@ -50,12 +59,15 @@ static double longest_now(const context *c, int order)
     return fmin(longest_of(c, order), 0.9 * MOST_TURNED / fmax(fastest_turn(c), fastest_angle(c)));
 }
 
-/* Goes back to the state `backup` of time t, with laws of law_time; what the step has cost stays counted. */
+/* Goes back to the state `backup` of time t, with laws of law_time; what the step has cost stays
+   counted. */
 static void restore_state(context *c, const double *backup, double t, double law_time)
 {
-    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS], as_pairs = c->s.head[S_AS_PAIRS];
+    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS],
+                 as_pairs = c->s.head[S_AS_PAIRS];
     take_state(c, backup);
-    if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0); /* the work of what they did is undone too */
+    if (c->m->time_dependent || c->m->sensing)
+        set_laws(c, law_time, 0); /* the work of what they did is undone too */
     c->t = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
@@ -63,7 +75,8 @@ static void restore_state(context *c, const double *backup, double t, double law
 }
 
 /* Takes an internal step back. */
-static void undo_step(context *c, double t, double law_time) { restore_state(c, c->k.pair_backup, t, law_time); }
+static void undo_step(context *c, double t, double law_time)
+{ restore_state(c, c->k.pair_backup, t, law_time); }
 
 /* A composition of pairs of half steps, of order 2 one pair. */
 static int32_t composed_step(context *c, double h, int order, step_result *result)
@@ -85,7 +98,8 @@ static int32_t composed_step(context *c, double h, int order, step_result *resul
         keep_forces(c, c->s.head[S_MEAN_TIME], c->s.mean);
     }
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
-    return order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated) ? HOLONOM_DAMPING_REVERSED : HOLONOM_OK;
+    return order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated) ? HOLONOM_DAMPING_REVERSED
+                                                                 : HOLONOM_OK;
 }
 
 /* Takes an internal step by the method in use, or by another one where that cannot. */
@@ -99,9 +113,12 @@ static int32_t take_step(context *c, double h, step_result *result)
         if (status || result->method == EXPLICIT) return status;
         undo_step(c, t, law_time);
     }
-    if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 6; /* of order 4 nothing tells how fast differences fall, at a kink for one */
+    if (order == 5)
+        c->s.head[S_ORDER_IN_USE] = order =
+            6; /* of order 4 nothing tells how fast differences fall, at a kink for one */
     const int is_judged = c->tolerance > 0.0;
-    const int is_first = c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
+    const int is_first =
+        c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
     if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1, result);
     if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0, result);
     return composed_step(c, h, order, result);
@@ -116,8 +133,9 @@ static int32_t internal_step(context *c, double h)
     return status;
 }
 
-/* After a failure penalties are those that were asked for with contacts, whose rows may have become dependent. Else they stay
-   raised: a heavy load on light links fails where its tension ends, and needs them all the more in shorter steps. */
+/* After a failure penalties are those that were asked for with contacts, whose rows may have become
+   dependent. Else they stay raised: a heavy load on light links fails where its tension ends, and
+   needs them all the more in shorter steps. */
 HM_OFTEN void lower_penalties(context *c)
 {
     if (!is_unilateral(c->m)) return;
@@ -135,7 +153,8 @@ static void keep_start(context *c)
     c->event.divided = 1;
 }
 
-/* A step of length h, divided until it can be taken; `left` halvings may follow, UNDIVIDED where none has been. */
+/* A step of length h, divided until it can be taken; `left` halvings may follow, UNDIVIDED where
+   none has been. */
 enum { UNDIVIDED = -1 };
 
 static int32_t step_halving(context *c, double h, int left)
@@ -148,12 +167,14 @@ static int32_t step_halving(context *c, double h, int left)
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
     lower_penalties(c);
-    if (known_misses(c)) { /* Newton's iteration may only have begun too far away: polynomials miss what turns fast */
+    if (known_misses(c)) { /* Newton's iteration may only have begun too far away: polynomials miss
+                              what turns fast */
         forget_halves(c);
         return step_halving(c, h, left);
     }
     if (left == UNDIVIDED) left = most_halvings(c, h, status);
-    if (left == 0 || slides_in_space(c)) return status; /* a slip may stop in it: the piece is cut instead */
+    if (left == 0 || slides_in_space(c))
+        return status; /* a slip may stop in it: the piece is cut instead */
     if (is_unilateral(c->m) && !c->event.divided) keep_start(c);
     status = step_halving(c, 0.5 * h, left - 1);
     return status ? status : step_halving(c, 0.5 * h, left - 1);

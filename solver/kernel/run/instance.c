@@ -9,26 +9,29 @@ struct holonom_instance {
     hm_model_file file;
     hm_state s;
     double *numbers, *state, *work;
-    double *before;              /* state and numbers, while a change of inputs is tried                  */
-    double *inputs, *parameters; /* those to come                                                         */
-    double *phi, *rate;          /* n_rows each                                                           */
+    double *before;              /* state and numbers, while a change of inputs is tried */
+    double *inputs, *parameters; /* those to come */
+    double *phi, *rate;          /* n_rows each */
     char at_fault[2 * NAME_ROOM];
-    char *clipped;               /* of each variable: whether it was said that it is clipped               */
+    char *clipped;               /* of each variable: whether it was said that it is clipped */
     hm_text message, remarks;
     int64_t state_size;
     int32_t phase, measured, heard, has_rules_of_laws, said, has_remarks;
-    int32_t first;               /* number of the first variable                                           */
+    int32_t first;               /* number of the first variable */
     int32_t group_end[HOLONOM_GROUPS];
     holonom_watch watch;
     holonom_mesh *mesh;
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
-static const double LAST_DIGITS = 8.0, STEP_SLACK = 1e-6; /* a step begins at the present time, up to so many last digits and this part of it */
+static const double
+    LAST_DIGITS = 8.0,
+    STEP_SLACK =
+        1e-6; /* a step begins at the present time, up to so many last digits and this part of it */
 
 static const char *text_of(const holonom_instance *i, uint32_t at) { return i->file.text + at; }
 
-/* ------------------------------------------------------------------------------------------------------ memory */
+/* --------------------------------------------------------------------------------------- memory */
 
 static size_t up(size_t bytes) { return (bytes + 15) & ~(size_t)15; }
 
@@ -38,18 +41,25 @@ static size_t message_room(const hm_model_file *f)
     return MESSAGE_ROOM + ROOM_PER_ROW * (rows < MOST_ROWS ? rows : MOST_ROWS);
 }
 
-static size_t work_bytes(const holonom_model *m) { return up(sizeof(double) * (size_t)holonom_work_size(m)); }
+static size_t work_bytes(const holonom_model *m)
+{ return up(sizeof(double) * (size_t)holonom_work_size(m)); }
 
-/* Lays an instance over `memory`, or only measures it; returns its bytes, of which the scratch is last. */
+/* Lays an instance over `memory`, or only measures it; returns its bytes, of which the scratch is
+   last. */
 static size_t lay_out(const hm_model_file *f, char *memory, holonom_instance *i)
 {
     const holonom_model *m = &f->model;
     const size_t state = (size_t)holonom_state_size(m), rows = (size_t)m->n_rows;
     size_t used = up(sizeof *i);
-    struct { double **vector; size_t length; } part[] = {
-        {&i->numbers, (size_t)m->n_numbers}, {&i->state, state},
-        {&i->before, state + (size_t)m->n_numbers}, {&i->inputs, (size_t)m->n_inputs}, {&i->parameters, (size_t)m->n_parameters},
-        {&i->phi, rows}, {&i->rate, rows},
+    struct { double **vector; size_t length;
+    } part[] = {
+        {&i->numbers, (size_t)m->n_numbers},
+        {&i->state, state},
+        {&i->before, state + (size_t)m->n_numbers},
+        {&i->inputs, (size_t)m->n_inputs},
+        {&i->parameters, (size_t)m->n_parameters},
+        {&i->phi, rows},
+        {&i->rate, rows},
     };
     for (size_t k = 0; k < sizeof part / sizeof *part; k++) {
         if (memory) *part[k].vector = (double *)(void *)(memory + used);
@@ -72,8 +82,10 @@ int64_t holonom_instance_size(const void *model, int64_t length, char *why, int6
     holonom_instance none;
     hm_text text = {why, (size_t)room, 0};
     const char *flaw = hm_bind(model, length, &f);
-    for (uint32_t k = 0; !flaw && k < f.header->n_variables; k++) /* the settings that a run begins with are allowed */
-        if (f.variable[k].kind == KIND_OPTION && hm_objects(&text, &f, f.variable + k, f.settings[f.variable[k].place], NULL, 0))
+    for (uint32_t k = 0; !flaw && k < f.header->n_variables;
+         k++) /* the settings that a run begins with are allowed */
+        if (f.variable[k].kind == KIND_OPTION
+            && hm_objects(&text, &f, f.variable + k, f.settings[f.variable[k].place], NULL, 0))
             flaw = "a setting is not allowed";
     hm_clear(&text);
     if (!flaw) return (int64_t)lay_out(&f, NULL, &none);
@@ -86,13 +98,16 @@ holonom_instance *holonom_make(const void *model, void *memory, int32_t heard)
     holonom_instance *i = memory;
     hm_model_file file;
     if (!hm_view(model, &file)) return NULL;
-    memset(i, 0, lay_out(&file, NULL, i) - work_bytes(&file.model)); /* most of a large one is scratch that few steps need */
+    memset(i, 0,
+           lay_out(&file, NULL, i)
+               - work_bytes(&file.model)); /* most of a large one is scratch that few steps need */
     i->file = file;
     lay_out(&file, memory, i);
     hm_map_state(&i->file.model, i->state, &i->s);
     holonom_group_ends(&i->file.model, i->numbers, i->group_end);
     i->heard = heard;
-    for (uint32_t k = 0; k < i->file.header->n_rules; k++) i->has_rules_of_laws |= i->file.rule[k].relation & OF_A_LAW;
+    for (uint32_t k = 0; k < i->file.header->n_rules; k++)
+        i->has_rules_of_laws |= i->file.rule[k].relation & OF_A_LAW;
     holonom_reset(i);
     return i;
 }
@@ -145,9 +160,10 @@ static void take_all_back(const holonom_instance *i)
     memcpy(i->numbers, i->before + i->state_size, sizeof(double) * (size_t)i->file.model.n_numbers);
 }
 
-static int32_t done(const holonom_instance *i) { return i->has_remarks ? HOLONOM_REMARKED : HOLONOM_DONE; }
+static int32_t done(const holonom_instance *i)
+{ return i->has_remarks ? HOLONOM_REMARKED : HOLONOM_DONE; }
 
-/* ------------------------------------------------------------------------------------------------------ values */
+/* --------------------------------------------------------------------------------------- values */
 
 void holonom_count_from(holonom_instance *i, int32_t first) { i->first = first; }
 
@@ -206,12 +222,16 @@ static int32_t place_of_variable(const holonom_instance *i, const hm_variable *v
     return v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0);
 }
 
-enum { FEW_VALUES = 8 }; /* of these each is measured with its group alone: fewer than there are groups to ask for */
+enum {
+    FEW_VALUES = 8
+}; /* of these each is measured with its group alone: fewer than there are groups to ask for */
 
 static int32_t groups_of(const holonom_instance *i, int32_t place)
 {
-    static const int32_t groups[HOLONOM_GROUPS] = {HOLONOM_MEASURE_MOTION,   HOLONOM_MEASURE_FORCES,  HOLONOM_MEASURE_BODIES, HOLONOM_MEASURE_FORCES,
-                                                   HOLONOM_MEASURE_ENERGIES, HOLONOM_MEASURE_MOMENTA, HOLONOM_MEASURE_SOLVER, HOLONOM_MEASURE_CONTACTS};
+    static const int32_t groups[HOLONOM_GROUPS] = {
+        HOLONOM_MEASURE_MOTION, HOLONOM_MEASURE_FORCES,   HOLONOM_MEASURE_BODIES,
+        HOLONOM_MEASURE_FORCES, HOLONOM_MEASURE_ENERGIES, HOLONOM_MEASURE_MOMENTA,
+        HOLONOM_MEASURE_SOLVER, HOLONOM_MEASURE_CONTACTS};
     int k = 0;
     while (k < HOLONOM_GROUPS - 1 && place >= i->group_end[k]) k++;
     return groups[k];
@@ -236,13 +256,15 @@ int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, do
         }
         value[k] = i->numbers[place];
         if (!(fabs(value[k]) < INFINITY))
-            return answer(i, HOLONOM_UNTRIED, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
+            return answer(i, HOLONOM_UNTRIED, "%s is not finite at t = %6g s", text_of(i, v->name),
+                          i->s.head[S_TIME]);
     }
     return HOLONOM_DONE;
 }
 
-/* Rates of outputs whose rate is not measured: forward differences of fourth order, as those of signals, so that what an output
-   is before the present time does not matter. The state is put aside, and moves on in its place. */
+/* Rates of outputs whose rate is not measured: forward differences of fourth order, as those of
+   signals, so that what an output is before the present time does not matter. The state is put
+   aside, and moves on in its place. */
 static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, double *value)
 {
     static const double weight[] = {48.0, -36.0, 16.0, -3.0}, part = 1e-2;
@@ -250,12 +272,14 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
     const holonom_model *m = &i->file.model;
     const double step = part * hm_step_size(i->s.head);
     double *now = i->before + i->state_size;
-    int32_t groups = 0; /* forces under a tolerance are solved for: they are measured where their rates are asked for alone */
+    int32_t groups = 0; /* forces under a tolerance are solved for: they are measured where their
+                           rates are asked for alone */
     for (int32_t k = 0; k < count; k++) {
         const hm_variable *v = holonom_variable_at(i, index[k]);
         const int32_t place = place_of_variable(i, v);
         double known;
-        if (!holonom_knows_rate(m, i->numbers, place, &known)) groups |= v->kind == KIND_MEASURED ? groups_of(i, place) : HOLONOM_MEASURE_ALL;
+        if (!holonom_knows_rate(m, i->numbers, place, &known))
+            groups |= v->kind == KIND_MEASURED ? groups_of(i, place) : HOLONOM_MEASURE_ALL;
     }
     put_all_aside(i);
     const int32_t status = holonom_begin_moving_on(m, i->numbers, i->state, i->work, POINTS * step);
@@ -267,13 +291,15 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
         for (int32_t k = 0; k < count; k++) {
             const int32_t place = place_of_variable(i, holonom_variable_at(i, index[k]));
             double known;
-            if (!holonom_knows_rate(m, i->numbers, place, &known)) value[k] += weight[p] / (12.0 * step) * (i->numbers[place] - now[place]);
+            if (!holonom_knows_rate(m, i->numbers, place, &known))
+                value[k] += weight[p] / (12.0 * step) * (i->numbers[place] - now[place]);
         }
     }
     take_all_back(i);
     i->measured = 0;
     return !status ? HOLONOM_DONE
-                   : answer(i, HOLONOM_UNTRIED, "rates of outputs at t = %6g s: %s", i->s.head[S_TIME], hm_about_step(status));
+                   : answer(i, HOLONOM_UNTRIED, "rates of outputs at t = %6g s: %s",
+                            i->s.head[S_TIME], hm_about_step(status));
 }
 
 int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t count, double *value)
@@ -282,16 +308,19 @@ int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t cou
     for (int32_t k = 0; k < count; k++) {
         const hm_variable *v = holonom_variable_at(i, index[k]);
         if (!v) return refuse_index(i, index[k]);
-        if (v->causality != CAUSALITY_OUTPUT) return answer(i, HOLONOM_REFUSED, "%s has no derivative: it is no output", text_of(i, v->name));
+        if (v->causality != CAUSALITY_OUTPUT)
+            return answer(i, HOLONOM_REFUSED, "%s has no derivative: it is no output",
+                          text_of(i, v->name));
         const int32_t measured = measure(i, HOLONOM_MEASURE_ALL);
         if (measured) return measured;
-        differs |= !holonom_knows_rate(&i->file.model, i->numbers, place_of_variable(i, v), value + k);
+        differs |=
+            !holonom_knows_rate(&i->file.model, i->numbers, place_of_variable(i, v), value + k);
     }
     const int32_t result = differs ? differ(i, index, count, value) : HOLONOM_DONE;
     for (int32_t k = 0; k < count && !result; k++)
         if (!(fabs(value[k]) < INFINITY))
-            return answer(i, HOLONOM_UNTRIED, "the derivative of %s is not finite at t = %6g s", text_of(i, holonom_variable_at(i, index[k])->name),
-                          i->s.head[S_TIME]);
+            return answer(i, HOLONOM_UNTRIED, "the derivative of %s is not finite at t = %6g s",
+                          text_of(i, holonom_variable_at(i, index[k])->name), i->s.head[S_TIME]);
     return result;
 }
 
@@ -302,31 +331,37 @@ static int32_t change_in_motion(holonom_instance *i)
     const int may_break = i->has_rules_of_laws || m->variable_potential || m->n_contacts;
     double gap;
     if (may_break) put_all_aside(i);
-    const int32_t pressed = holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters, &gap);
+    const int32_t pressed =
+        holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters, &gap);
     if (!may_break) return HOLONOM_DONE;
     hm_clear(&i->message);
     int problems = hm_broken_rules(&i->message, &i->file, i->numbers, RULES_OF_LAWS);
     if (pressed >= 0) hm_say_pressed(&i->message, &i->file, pressed, gap, problems++);
     if (!(fabs(i->s.head[S_WORK]) < INFINITY))
-        hm_say(&i->message, "%swith these values a spring or potential has no finite energy", problems++ ? "\n" : "");
+        hm_say(&i->message, "%swith these values a spring or potential has no finite energy",
+               problems++ ? "\n" : "");
     if (!problems) return HOLONOM_DONE;
     take_all_back(i);
     return HOLONOM_REFUSED;
 }
 
-static int32_t check_values(holonom_instance *i, const int32_t *index, int32_t count, const double *value, const char *const *shown)
+static int32_t check_values(holonom_instance *i, const int32_t *index, int32_t count,
+                            const double *value, const char *const *shown)
 {
     hm_clear(&i->message);
     for (int32_t k = 0; k < count; k++) {
         const hm_variable *v = holonom_variable_at(i, index[k]);
         if (!v) return refuse_index(i, index[k]);
-        if (hm_objects(&i->message, &i->file, v, value[k], shown ? shown[k] : NULL, i->phase == HOLONOM_MOVING)) return HOLONOM_REFUSED;
+        if (hm_objects(&i->message, &i->file, v, value[k], shown ? shown[k] : NULL,
+                       i->phase == HOLONOM_MOVING))
+            return HOLONOM_REFUSED;
     }
     return HOLONOM_DONE;
 }
 
 /* Limit that a value is clipped to; NaN if it is taken as it is. */
-static double clipping_limit(const hm_variable *v, double value) { return v->flags & CLIPS ? hm_limit_before(v, value) : NAN; }
+static double clipping_limit(const hm_variable *v, double value)
+{ return v->flags & CLIPS ? hm_limit_before(v, value) : NAN; }
 
 /* Says once of an input that it is clipped. */
 static void say_clipped(holonom_instance *i, const hm_variable *v, double value, const char *shown)
@@ -340,11 +375,13 @@ static void say_clipped(holonom_instance *i, const hm_variable *v, double value,
     begin_line(remarks);
     hm_say(remarks, "%s: ", text_of(i, v->name));
     hm_say_value(remarks, value, shown);
-    hm_say(remarks, "%u is beyond %6g%u, and is clipped to this limit (reported once)", unit, limit, unit);
+    hm_say(remarks, "%u is beyond %6g%u, and is clipped to this limit (reported once)", unit, limit,
+           unit);
     i->has_remarks = 1;
 }
 
-int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, const double *value, const char *const *shown)
+int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, const double *value,
+                    const char *const *shown)
 {
     const holonom_model *m = &i->file.model;
     int32_t result = check_values(i, index, count, value, shown), arriving = 1;
@@ -375,7 +412,7 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
     return done(i);
 }
 
-/* ------------------------------------------------------------------------------------------------------ motion */
+/* --------------------------------------------------------------------------------------- motion */
 
 /* All numbers that depend on parameters, inputs and the time. */
 static void evaluate(holonom_instance *i)
@@ -432,9 +469,11 @@ int32_t holonom_assemble(holonom_instance *i)
     memcpy(i->before, work.phi, sizeof(double) * (size_t)m->n_rows);
     holonom_rows(i, i->phi, i->rate);
     const hm_start start = {status, i->phi, i->rate, i->before};
-    if (hm_say_failed_start(message, &i->file, i->numbers, &i->s, &start)) return HOLONOM_UNASSEMBLED;
+    if (hm_say_failed_start(message, &i->file, i->numbers, &i->s, &start))
+        return HOLONOM_UNASSEMBLED;
     i->phase = HOLONOM_ASSEMBLED;
-    const int has_moved = i->s.head[S_ASSEMBLE] != 0.0 || m->n_signals > 0; /* drivers change velocities, at least */
+    const int has_moved =
+        i->s.head[S_ASSEMBLE] != 0.0 || m->n_signals > 0; /* drivers change velocities, at least */
     if (has_moved && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
     return done(i);
 }
@@ -442,7 +481,9 @@ int32_t holonom_assemble(holonom_instance *i)
 const char *holonom_steps(holonom_instance *i, int32_t has_explicit)
 {
     hm_clear(&i->message);
-    hm_say_steps(&i->message, i->s.head, has_explicit && holonom_may_be_explicit(&i->file.model, i->numbers, i->state, i->work));
+    hm_say_steps(&i->message, i->s.head,
+                 has_explicit
+                     && holonom_may_be_explicit(&i->file.model, i->numbers, i->state, i->work));
     return i->message.begin;
 }
 
@@ -465,8 +506,8 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     hm_clear(&at_fault);
     hm_say_fault(&at_fault, &i->file, i->numbers, head, status);
     evaluate(i);
-    answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step, i->at_fault,
-           hm_about_step(status));
+    answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t,
+           step > longest ? longest : step, i->at_fault, hm_about_step(status));
     hm_say_far_apart(&i->message, &i->file, i->numbers, status);
     return HOLONOM_FAILED;
 }
@@ -475,17 +516,20 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
 {
     double *head = i->s.head;
     const double last_digit = nextafter(fabs(t), INFINITY) - fabs(t);
-    const double slack = fabs(t + step) < INFINITY ? LAST_DIGITS * last_digit + STEP_SLACK * fabs(step) : 0.0;
+    const double slack =
+        fabs(t + step) < INFINITY ? LAST_DIGITS * last_digit + STEP_SLACK * fabs(step) : 0.0;
     if (!(fabs(t - head[S_TIME]) <= slack))
-        return answer(i, HOLONOM_UNTRIED, "step from t = %r s asked for, but the mechanism is at %r s", t, head[S_TIME]);
+        return answer(i, HOLONOM_UNTRIED,
+                      "step from t = %r s asked for, but the mechanism is at %r s", t,
+                      head[S_TIME]);
     if (!(step > 0.0)) return fail(i, t, step, HOLONOM_BAD_STEP);
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
         if (result & ~HOLONOM_REMARKED) return result;
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
-    const int32_t status =
-        holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step, begin_watch(i), i->mesh);
+    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work,
+                                           (t - head[S_TIME]) + step, begin_watch(i), i->mesh);
     i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;
@@ -495,7 +539,7 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     return done(i);
 }
 
-/* ------------------------------------------------------------------------------------------------------ states */
+/* --------------------------------------------------------------------------------------- states */
 
 typedef struct saved_state {
     char magic[8], fingerprint[32];
@@ -508,10 +552,12 @@ static const char SAVED[8] = "holonom5"; /* the digit is the version of the form
 static uint32_t checksum_of(saved_state head, const void *block)
 {
     head.checksum = 0;
-    return hm_checksum(hm_checksum(0, &head, sizeof head), block, sizeof(double) * (size_t)head.length);
+    return hm_checksum(hm_checksum(0, &head, sizeof head), block,
+                       sizeof(double) * (size_t)head.length);
 }
 
-int64_t holonom_saved_size(const holonom_instance *i) { return (int64_t)sizeof(saved_state) + 8 * i->state_size; }
+int64_t holonom_saved_size(const holonom_instance *i)
+{ return (int64_t)sizeof(saved_state) + 8 * i->state_size; }
 
 void holonom_keep(const holonom_instance *i, void *bytes)
 {
@@ -547,7 +593,8 @@ static int32_t refuse_state(holonom_instance *i, const char *why)
 /* Part of its size up to which a row may be off: loosely solved steps left up to 4e-4. */
 static const double FARTHEST_OFF = 0.1;
 
-/* Whether a saved block has only numbers that a run can come to; they steer what is not checked again. */
+/* Whether a saved block has only numbers that a run can come to; they steer what is not checked
+   again. */
 static const char *flaw_of_block(holonom_instance *i, const double *block)
 {
     const hm_model_file *f = &i->file;
@@ -564,9 +611,11 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
         const double level = island[I_SIZE * k + I_PENALTY_LEVEL];
         if (!(level >= 0.0 && level <= MOST_LEVELS && level == floor(level)))
             return "has a penalty that no run comes to; save it again";
-        const double bend = island[I_SIZE * k + I_BEND], lean = island[I_SIZE * k + I_LEAN_CONTRACTION];
+        const double bend = island[I_SIZE * k + I_BEND],
+                     lean = island[I_SIZE * k + I_LEAN_CONTRACTION];
         const double predicts = island[I_SIZE * k + I_PREDICTS_LAMBDA];
-        if (!(bend >= 0.0 && bend <= MOST_LEARNED && lean >= 0.0 && lean <= MOST_LEARNED) || (predicts != 0.0 && predicts != 1.0))
+        if (!(bend >= 0.0 && bend <= MOST_LEARNED && lean >= 0.0 && lean <= MOST_LEARNED)
+            || (predicts != 0.0 && predicts != 1.0))
             return "has a contraction that no run comes to; save it again";
     }
     for (uint32_t k = 0; k < f->header->n_variables; k++) {
@@ -577,8 +626,8 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
     return NULL;
 }
 
-/* Refuses the block of a state in motion that deforms a rigid part, as no run does: its steps, none of which can be
-   solved, would take thousands of iterations. */
+/* Refuses the block of a state in motion that deforms a rigid part, as no run does: its steps, none
+   of which can be solved, would take thousands of iterations. */
 static int32_t refuse_deformed(holonom_instance *i, const void *block)
 {
     const holonom_model *m = &i->file.model;
@@ -595,8 +644,9 @@ static int32_t refuse_deformed(holonom_instance *i, const void *block)
     }
     take_all_back(i);
     if (worst < 0) return HOLONOM_DONE;
-    return answer(i, HOLONOM_REFUSED, "the saved state does not fit %s, by %3g of its size; save it again", text_of(i, i->file.row[worst].name),
-                  most);
+    return answer(i, HOLONOM_REFUSED,
+                  "the saved state does not fit %s, by %3g of its size; save it again",
+                  text_of(i, i->file.row[worst].name), most);
 }
 
 int32_t holonom_check_saved(holonom_instance *i, const void *bytes, int64_t length)
@@ -607,10 +657,13 @@ int32_t holonom_check_saved(holonom_instance *i, const void *bytes, int64_t leng
         return refuse_state(i, "is not one of this format; save it again with this FMU");
     memcpy(&head, bytes, sizeof head);
     if (memcmp(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint))
-        return refuse_state(i, "belongs to another model or version; restore it where it was saved");
+        return refuse_state(i,
+                            "belongs to another model or version; restore it where it was saved");
     if (length != holonom_saved_size(i) || head.length != i->state_size)
-        return answer(i, HOLONOM_REFUSED, "the saved state is %d bytes long, not what its header says", (int)length);
-    if (head.checksum != checksum_of(head, block) || head.phase < HOLONOM_CONFIGURED || head.phase > HOLONOM_MOVING)
+        return answer(i, HOLONOM_REFUSED,
+                      "the saved state is %d bytes long, not what its header says", (int)length);
+    if (head.checksum != checksum_of(head, block) || head.phase < HOLONOM_CONFIGURED
+        || head.phase > HOLONOM_MOVING)
         return refuse_state(i, "is damaged: its checksum does not fit; save it again");
     memcpy(i->before, block, sizeof(double) * (size_t)i->state_size);
     const char *flaw = flaw_of_block(i, i->before);
@@ -624,11 +677,13 @@ int32_t holonom_return_to(holonom_instance *i, const void *bytes)
     memcpy(&head, bytes, sizeof head);
     if (memcmp(head.magic, SAVED, sizeof SAVED) || head.length != i->state_size ||
         memcmp(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint))
-        return refuse_state(i, "belongs to another model or version; restore it where it was saved");
+        return refuse_state(i,
+                            "belongs to another model or version; restore it where it was saved");
     memcpy(i->state, (const char *)bytes + sizeof head, sizeof(double) * (size_t)i->state_size);
     i->phase = (int32_t)head.phase;
     i->measured = 0;
-    /* Numbers are no part of the state: those that depend on parameters, inputs and the time are computed again. */
+    /* Numbers are no part of the state: those that depend on parameters, inputs and the time are
+       computed again. */
     if (i->phase != HOLONOM_CONFIGURED) evaluate(i);
     return HOLONOM_DONE;
 }

@@ -8,8 +8,8 @@
 #include "runge_kutta.h"
 
 /* The states below are mapped for writing, as a step's are, and not modified. */
-HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double *state, double *work, double *phi,
-                                 double *phi_dot)
+HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double *state,
+                                 double *work, double *phi, double *phi_dot)
 {
     context c;
     open_context(&c, m, number, state, work);
@@ -34,8 +34,10 @@ static void measure_motion(const context *c, const hm_measured *y)
         y->quantity[j] = quantity_at(c, j, c->s.q, c->s.q_low, c->s.v, y->quantity_rate + j);
     for (int32_t j = 0; j < m->n_elements; j++) {
         const int32_t quantity = m->leaf[4 * m->leaf_ptr[j] + 1];
-        y->element_force[j] = c->number[m->stiffness_at + j] * (y->quantity[quantity] - c->number[m->rest_at + j]) +
-                              c->number[m->damping_at + j] * y->quantity_rate[quantity] - c->number[m->drive_at + j];
+        y->element_force[j] =
+            c->number[m->stiffness_at + j] * (y->quantity[quantity] - c->number[m->rest_at + j])
+            + c->number[m->damping_at + j] * y->quantity_rate[quantity]
+            - c->number[m->drive_at + j];
     }
 }
 
@@ -44,21 +46,24 @@ static void mean_forces(const context *c, const hm_measured *y)
 {
     extrapolate(c, c->s.head[S_TIME], c->m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
     if (is_unilateral(c->m)) add_shares(c, y->multiplier);
-    extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
+    extrapolate(c, c->s.head[S_TIME], DIM * c->m->n_driven, c->s.driven_mean,
+                c->s.driven_mean_before, y->driven_force);
 }
 
-/* Whether the state tells forces better than means do, which are of order 2 whatever the order of the motion is. With equal steps means
-   stand: they are what acts in steps that may be longer than what swings; so they do where steps went over contacts. Explicit steps have
-   solved for them, but before a jump. */
+/* Whether the state tells forces better than means do, which are of order 2 whatever the order of
+   the motion is. With equal steps means stand: they are what acts in steps that may be longer than
+   what swings; so they do where steps went over contacts. Explicit steps have solved for them, but
+   before a jump. */
 static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
-    return (m->n_rows || m->n_driven) && c->tolerance > 0.0 && !(is_unilateral(m) && (c->s.head[S_UNSETTLED] != 0.0 || has_shares(c))) &&
-           (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
+    return (m->n_rows || m->n_driven) && c->tolerance > 0.0
+           && !(is_unilateral(m) && (c->s.head[S_UNSETTLED] != 0.0 || has_shares(c)))
+           && (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
 }
 
-/* Likewise, as the state asks for them, beginning with those that are there; where a law jumps now, on the side that it is on now, as
-   outputs by a formula. State and laws stay as they are. */
+/* Likewise, as the state asks for them, beginning with those that are there; where a law jumps now,
+   on the side that it is on now, as outputs by a formula. State and laws stay as they are. */
 HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
 {
     context at = rows_at_state(c);
@@ -69,8 +74,10 @@ HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
     signal_jets_at(c, c->t, c->k.signal_rate, c->k.signal_bend);
     if (c->m->sensing) sense(&at, 0.0, 0);
     set_laws(&at, c->t, 0);
-    EACH_ISLAND(&at, island) status = status ? status : accelerate(&at, c->k.estimate, y->multiplier);
-    if (!status && c->m->n_driven) status = hold_driven(&at, c->k.estimate, y->multiplier, y->driven_force);
+    EACH_ISLAND(&at, island)
+        status = status ? status : accelerate(&at, c->k.estimate, y->multiplier);
+    if (!status && c->m->n_driven)
+        status = hold_driven(&at, c->k.estimate, y->multiplier, y->driven_force);
     take_state(c, c->k.whole_backup);
     set_laws(c, c->t, 0);
     return status;
@@ -86,7 +93,8 @@ HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
     memcpy(y->multiplier, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
     memcpy(c->k.mu, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
     if (!status && m->n_driven) status = forces_at_state(c);
-    for (int32_t k = 0; k < DIM * m->n_driven && !status; k++) y->driven_force[k] = c->k.momentum[DIM * m->n_free + k];
+    for (int32_t k = 0; k < DIM * m->n_driven && !status; k++)
+        y->driven_force[k] = c->k.momentum[DIM * m->n_free + k];
     take_state(c, c->k.whole_backup);
     set_laws(c, c->t, 0);
     return status;
@@ -98,7 +106,8 @@ static void measure_rows(context *c, const hm_measured *y)
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];
     mean_forces(c, y);
-    if (tells_forces(c) && (is_unilateral(m) ? forces_of_modes(c, y) : forces_of_state(c, y))) mean_forces(c, y);
+    if (tells_forces(c) && (is_unilateral(m) ? forces_of_modes(c, y) : forces_of_state(c, y)))
+        mean_forces(c, y);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
         y->rod_force[i] = y->multiplier[i] * 2.0 * sqrt(dot(u, u));
@@ -123,10 +132,13 @@ static void measure_reactions(const context *c, const hm_measured *y)
     const holonom_model *m = c->m;
     const double *mu = y->multiplier;
     double u[DIM], w[DIM], moment[TURNING];
-    memset(y->reaction_force, 0, sizeof(double) * (size_t)((DIM + TURNING) * m->n_reactions)); /* and torques, behind it */
+    memset(y->reaction_force, 0,
+           sizeof(double)
+               * (size_t)((DIM + TURNING) * m->n_reactions)); /* and torques, behind it */
     for (int32_t e = 0; e < m->n_reaction_entries; e++) {
         const int32_t *entry = m->reaction_entry + 4 * e;
-        double *force = y->reaction_force + DIM * entry[0], *torque = y->reaction_torque + TURNING * entry[0];
+        double *force = y->reaction_force + DIM * entry[0],
+               *torque = y->reaction_torque + TURNING * entry[0];
         if (entry[1] == REACTION_COINCIDENCE) {
             EACH(k) force[k] += entry[3] * mu[m->n_form_rows + DIM * entry[2] + k];
             continue;
@@ -140,7 +152,7 @@ static void measure_reactions(const context *c, const hm_measured *y)
 }
 
 /* Contacts: gap, force, mode, impacts, impulse; frictions: force, slip, mode; losses. A friction
-   of several rows has sizes, of one row signs.                                                                  */
+   of several rows has sizes, of one row signs. */
 static void measure_contacts(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
@@ -171,7 +183,8 @@ static void measure_contacts(const context *c, const hm_measured *y)
         y->friction[3 * f + 2] = mode;
     }
     y->loss[0] = head[S_DISSIPATED], y->loss[1] = head[S_FRICTION], y->loss[2] = head[S_IMPACT];
-    y->contact_solver[0] = head[S_EVENTS] + head[S_SWITCHED], y->contact_solver[1] = head[S_STEPPED];
+    y->contact_solver[0] = head[S_EVENTS] + head[S_SWITCHED],
+    y->contact_solver[1] = head[S_STEPPED];
     y->contact_solver[2] = head[S_JAMS], y->contact_solver[3] = head[S_NEWTON_IMPACTS];
     y->contact_solver[4] = head[S_MIXED_IMPACTS], y->contact_solver[5] = head[S_DEFERRED_FRICTIONS];
 }
@@ -181,10 +194,11 @@ static void measure_energies(context *c, const hm_measured *y)
 {
     const double *head = c->s.head;
     const double kinetic = kinetic_energy(c, c->k.momentum), change = potential_change(c);
-    const double potential = head[S_POTENTIAL_START] + change, balance = ledger_balance(c, kinetic, change);
+    const double potential = head[S_POTENTIAL_START] + change,
+                 balance = ledger_balance(c, kinetic, change);
     const double dissipated = head[S_DISSIPATED] + (head[S_FRICTION] + head[S_IMPACT]);
-    const double energy[] = {kinetic, potential, kinetic + potential, head[S_WORK], dissipated, balance,
-                             relative_balance(c, balance)};
+    const double energy[] = {kinetic,    potential, kinetic + potential,         head[S_WORK],
+                             dissipated, balance,   relative_balance(c, balance)};
     memcpy(y->energy, energy, sizeof energy);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     row_values(c, c->k.phi);
@@ -193,7 +207,8 @@ static void measure_energies(context *c, const hm_measured *y)
     y->residual[1] = largest_row(c, c->k.row_rate);
 }
 
-/* Momentum of the points, and angular momentum about the origin: directions carry only the latter. */
+/* Momentum of the points, and angular momentum about the origin: directions carry only the
+   latter. */
 static void measure_momenta(const context *c, const hm_measured *y)
 {
     const double origin[DIM] = {0.0};
@@ -210,12 +225,14 @@ void holonom_group_ends(const holonom_model *m, double *number, int32_t *end)
 {
     hm_measured y;
     hm_map_measured(m, number + m->measured_at, &y);
-    const double *const first_behind[] = {y.rod_force, y.quaternion, y.reaction_force, y.energy, y.momentum, y.solver, y.contact};
+    const double *const first_behind[] = {y.rod_force, y.quaternion, y.reaction_force, y.energy,
+                                          y.momentum,  y.solver,     y.contact};
     for (int k = 0; k < HOLONOM_GROUPS - 1; k++) end[k] = (int32_t)(first_behind[k] - number);
     end[HOLONOM_GROUPS - 1] = m->n_numbers;
 }
 
-void holonom_measure(const holonom_model *m, double *number, double *state, double *work, int32_t groups)
+void holonom_measure(const holonom_model *m, double *number, double *state, double *work,
+                     int32_t groups)
 {
     context c;
     hm_measured measured;
@@ -234,9 +251,18 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     if (groups & HOLONOM_MEASURE_ENERGIES) measure_energies(&c, y);
     if (groups & HOLONOM_MEASURE_MOMENTA) measure_momenta(&c, y);
     const double method = head[S_ORDER_IN_USE] == 0.0 ? 0.0 : ends_explicitly(&c) ? 2.0 : 1.0;
-    const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE], method,
-                                head[S_ERROR_ESTIMATE] + hm_error_of_path(head, c.number[m->extent_at], head[S_EQUAL_STEPS]), head[S_AS_PAIRS],
-                                loads ? sampling(&c) : 0.0, head[S_COARSENESS], head[S_STATUS]};
+    const double of_solver[] = {
+        head[S_NEWTON_ITERATIONS],
+        head[S_UZAWA_ITERATIONS],
+        head[S_SUBSTEPS],
+        head[S_ORDER_IN_USE],
+        method,
+        head[S_ERROR_ESTIMATE]
+            + hm_error_of_path(head, c.number[m->extent_at], head[S_EQUAL_STEPS]),
+        head[S_AS_PAIRS],
+        loads ? sampling(&c) : 0.0,
+        head[S_COARSENESS],
+        head[S_STATUS]};
     if (loads) memcpy(y->solver, of_solver, sizeof of_solver);
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */
     if (all) hm_run_tape(m, number, 3);

@@ -1,29 +1,37 @@
-/* What is said of a mechanism when its parameters have arrived: numbers, drawn places, velocities. */
+/* What is said of a mechanism when its parameters have arrived: numbers, drawn places,
+   velocities. */
 #include "small.h"
 
 #include "sentences.h"
 
-static const double DRAWN = 1e-9;      /* largest residual of a drawn mechanism against the size of its row: the first step would turn
-                                          a larger one into a jolt */
-static const double PRESCRIBED = 1e-6; /* largest relative error of a velocity that a formula prescribes: rates of signals are
-                                          differences, which leaves of a signal at rest what rounding makes, less than DRAWN in a second */
-static const double REST_OF_SOLVING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion,
-                                                 or in a second: what moves so little has no speed */
+static const double DRAWN = 1e-9; /* largest residual of a drawn mechanism against the size of its
+                                     row: the first step would turn a larger one into a jolt */
+static const double PRESCRIBED =
+    1e-6; /* largest relative error of a velocity that a formula prescribes: rates of signals are
+             differences, which leaves of a signal at rest what rounding makes, less than DRAWN in a
+             second */
+static const double REST_OF_SOLVING =
+    1e-13; /* what solving for velocities leaves, against the size of a row and the fastest motion,
+              or in a second: what moves so little has no speed */
 
 #define IS_ZERO "its value%s is %6g as drawn and must be 0; move or turn a part"
 #define ASSEMBLE ", or set [solver] assemble = true"
 
-static const struct { const char *sentence, *unit; } KIND[ROW_KINDS] = { /* detail, gap */
+static const struct { const char *sentence, *unit;
+} KIND[ROW_KINDS] = {
+    /* detail, gap */
     [ROW_LENGTH] = {"", " m"},
     [ROW_APART] = {"its places%s are drawn %6g m apart; move one", " m"},
     [ROW_OFF] = {"its places%s are drawn %6g m off its line or plane; move one", " m"},
     [ROW_HEIGHT] = {"the centre of the disc%s is drawn %6g m off its height; move it", " m"},
     [ROW_TURNED] = {"its axes%s are drawn %6g rad off; turn a body", " rad"},
-    [ROW_ANGLE] = {"the cosine of its angle%s is %6g off as drawn; turn a body, or correct the value", ""},
+    [ROW_ANGLE] =
+        {"the cosine of its angle%s is %6g off as drawn; turn a body, or correct the value", ""},
     [ROW_AXES] = {"its axes%s are %6g off perpendicular unit vectors; correct its orientation", ""},
     [ROW_VALUE] = {IS_ZERO, ""},
     [ROW_COUPLED] = {IS_ZERO, ""},
-    [ROW_DRIVER] = {"the drawing%s is %6g off its value at the start; move a part, correct the formula", ""},
+    [ROW_DRIVER] =
+        {"the drawing%s is %6g off its value at the start; move a part, correct the formula", ""},
     [ROW_VELOCITY] = {"its velocities%s are %6g off", ""},
 };
 
@@ -51,7 +59,8 @@ static int holds(const hm_rule *rule, double value)
     return relation == IS_ABOVE ? value > rule->bound : value >= rule->bound;
 }
 
-/* Counts the other places of a part that are drawn in penetration; -1 if one of them is deeper and is told instead. */
+/* Counts the other places of a part that are drawn in penetration; -1 if one of them is deeper and
+   is told instead. */
 static int others_drawn(const hm_model_file *f, const double *numbers, uint32_t k)
 {
     const hm_rule *rule = f->rule + k;
@@ -59,19 +68,22 @@ static int others_drawn(const hm_model_file *f, const double *numbers, uint32_t 
     for (uint32_t i = 0; i < f->header->n_rules; i++) {
         const hm_rule *other = f->rule + i;
         const double gap = numbers[other->number], own = numbers[rule->number];
-        if (i == k || other->relation != IS_DRAWN || other->name != rule->name || holds(other, gap)) continue;
+        if (i == k || other->relation != IS_DRAWN || other->name != rule->name || holds(other, gap))
+            continue;
         if (gap < own || (gap == own && i < k)) return -1;
         others++;
     }
     return others;
 }
 
-int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers, enum hm_rules which)
+int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers,
+                    enum hm_rules which)
 {
     int broken = 0;
     for (uint32_t k = 0; k < f->header->n_rules; k++) {
         const hm_rule *rule = f->rule + k;
-        const int is_asked = (rule->relation == IS_NOTED) == (which == RULES_NOTED) && (which != RULES_OF_LAWS || rule->relation & OF_A_LAW);
+        const int is_asked = (rule->relation == IS_NOTED) == (which == RULES_NOTED)
+                             && (which != RULES_OF_LAWS || rule->relation & OF_A_LAW);
         if (!is_asked || holds(rule, numbers[rule->number])) continue;
         const int others = rule->relation == IS_DRAWN ? others_drawn(f, numbers, k) : 0;
         if (others < 0) continue;
@@ -85,8 +97,8 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
 
 void hm_say_pressed(hm_text *text, const hm_model_file *f, int32_t row, double gap, int others)
 {
-    hm_say(text, "%s%s: its gap would be %6g%s; a stop may be moved as far as there is room", others ? "\n" : "",
-           f->text + f->row[row].name, gap, KIND[f->row[row].kind].unit);
+    hm_say(text, "%s%s: its gap would be %6g%s; a stop may be moved as far as there is room",
+           others ? "\n" : "", f->text + f->row[row].name, gap, KIND[f->row[row].kind].unit);
 }
 
 /* Names of the sampled loads, each once. */
@@ -95,7 +107,8 @@ static void say_sampled(hm_text *text, const hm_model_file *f)
     if (!f->model.n_sampled) hm_say(text, "a force");
     for (int32_t k = 0; k < f->model.n_sampled; k++) {
         int32_t before = 0;
-        while (before < k && strcmp(f->text + f->sampled[before], f->text + f->sampled[k])) before++;
+        while (before < k && strcmp(f->text + f->sampled[before], f->text + f->sampled[k]))
+            before++;
         if (before == k) hm_say(text, "%s%s", k ? ", " : "", f->text + f->sampled[k]);
     }
 }
@@ -106,11 +119,12 @@ int hm_unknown_to_method(hm_text *text, const hm_model_file *f, const double *he
     if (head[S_EQUILIBRIUM] == 0.0 || !m->sensing) return 0;
     hm_say(text, "solver.start: no equilibrium is sought, because ");
     say_sampled(text, f);
-    hm_say(text, " reads the motion; write it as a spring, damper, torsion_spring, torsion_damper or potential, or begin as drawn");
+    hm_say(text, " reads the motion; write it as a spring, damper, torsion_spring, torsion_damper "
+                 "or potential, or begin as drawn");
     return 1;
 }
 
-/* ----------------------------------------------------------------------------------------------------- drawn rows */
+/* ----------------------------------------------------------------------------------- drawn rows */
 
 typedef struct drawing {
     const hm_model_file *f;
@@ -138,7 +152,8 @@ static double fastest(const drawing *d)
     double largest = 0.0;
     for (int32_t node = 0; node < n_moving(d); node++) {
         const double speed = length_of(velocity_of(d, node));
-        largest = fmax(largest, d->m->node_kind[node] ? speed : speed / d->numbers[d->m->extent_at]);
+        largest =
+            fmax(largest, d->m->node_kind[node] ? speed : speed / d->numbers[d->m->extent_at]);
     }
     return largest;
 }
@@ -167,7 +182,8 @@ static double bound_of_rate(const drawing *d, int32_t form)
     const double arm = alone ? 1.0 : length_of(w), other = length_of(u);
     for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {
         double a = fabs(alpha[e]), b = fabs(beta[e]);
-        if (turned) a += fabs(d->numbers[m->alpha_turn_at + e]), b += fabs(d->numbers[m->beta_turn_at + e]);
+        if (turned)
+            a += fabs(d->numbers[m->alpha_turn_at + e]), b += fabs(d->numbers[m->beta_turn_at + e]);
         sum += (a * arm + b * other) * length_of(velocity_of(d, m->form_node[e]));
     }
     return sum;
@@ -179,10 +195,12 @@ static double speed_of(const drawing *d, int32_t row)
     const holonom_model *m = d->m;
     const double scale = d->numbers[m->row_scale_at + row], rate = fabs(d->rate[row]);
     const int32_t coincidence = row - m->n_form_rows;
-    double size = REST_OF_SOLVING * scale * (d->fastest + 1.0); /* of velocities that were made consistent */
+    double size =
+        REST_OF_SOLVING * scale * (d->fastest + 1.0); /* of velocities that were made consistent */
     if (rate <= size) return 0.0; /* then its bound, which takes long, need not be known */
     if (coincidence < 0) size += DRAWN * bound_of_rate(d, m->row_form[row]);
-    else if (coincidence < DIM * m->n_coincidences) size += DRAWN * bound_of_rate(d, m->coincidence_form[coincidence / DIM]);
+    else if (coincidence < DIM * m->n_coincidences)
+        size += DRAWN * bound_of_rate(d, m->coincidence_form[coincidence / DIM]);
     else size = scale * (PRESCRIBED * d->fastest + DRAWN);
     return rate <= size ? 0.0 : rate;
 }
@@ -199,13 +217,16 @@ static void lengths_of(const drawing *d, int32_t row, double *length, double *dr
 static int speeds_along(const drawing *d, int32_t row, double *speed)
 {
     const holonom_model *m = d->m;
-    const int32_t begin = m->form_ptr[m->row_form[row]], first = d->numbers[m->alpha_at + begin] < 0.0 ? begin : begin + 1;
+    const int32_t begin = m->form_ptr[m->row_form[row]],
+                  first = d->numbers[m->alpha_at + begin] < 0.0 ? begin : begin + 1;
     if (m->form_ptr[m->row_form[row] + 1] - begin != 2) return 0;
     const int32_t second = 2 * begin + 1 - first;
-    if (d->numbers[m->alpha_at + first] != -1.0 || d->numbers[m->alpha_at + second] != 1.0) return 0;
+    if (d->numbers[m->alpha_at + first] != -1.0 || d->numbers[m->alpha_at + second] != 1.0)
+        return 0;
     const int32_t node[2] = {m->form_node[first], m->form_node[second]};
     double link[DIM], length;
-    const double *from = hm_place_of_node(m, d->numbers, d->s->q, node[0]), *to = hm_place_of_node(m, d->numbers, d->s->q, node[1]);
+    const double *from = hm_place_of_node(m, d->numbers, d->s->q, node[0]),
+                 *to = hm_place_of_node(m, d->numbers, d->s->q, node[1]);
     for (int k = 0; k < DIM; k++) link[k] = to[k] - from[k];
     length = length_of(link);
     for (int i = 0; i < 2; i++) {
@@ -216,11 +237,12 @@ static int speeds_along(const drawing *d, int32_t row, double *speed)
     return 1;
 }
 
-/* Of the rows with the name of `row`, from it on, by `value`: the one with the largest, and the root of the sum of squares, of
-   those alike if asked; 0 if one before it has the name. */
+/* Of the rows with the name of `row`, from it on, by `value`: the one with the largest, and the
+   root of the sum of squares, of those alike if asked; 0 if one before it has the name. */
 typedef double (*row_value)(const drawing *d, int32_t row);
 
-static int gather(const drawing *d, int32_t row, row_value value, int alike, int32_t *worst, double *whole)
+static int gather(const drawing *d, int32_t row, row_value value, int alike, int32_t *worst,
+                  double *whole)
 {
     const uint32_t name = d->f->row[row].name;
     double largest = -1.0, sum = 0.0;
@@ -248,8 +270,11 @@ static void say_position(hm_text *text, const drawing *d, int32_t row, double ga
     if (record->kind == ROW_LENGTH) {
         double length, drawn;
         lengths_of(d, row, &length, &drawn);
-        hm_say(text, "length is %12g m, but its points are drawn %12g m apart; move a point, correct the length, or leave it out to "
-                     "take it as drawn", length, drawn);
+        hm_say(text,
+               "length is %12g m, but its points are drawn %12g m apart; move a point, correct the "
+               "length, or leave it out to "
+               "take it as drawn",
+               length, drawn);
     } else
         hm_say(text, KIND[record->kind].sentence, d->f->text + record->detail, gap);
     hm_say(text, ASSEMBLE);
@@ -262,11 +287,15 @@ static void say_velocity(hm_text *text, const drawing *d, int32_t row, double ra
     double speed[2];
     hm_say(text, "%s: ", d->f->text + record->name);
     if (record->kind == ROW_LENGTH && speeds_along(d, row, speed))
-        hm_say(text, "the velocities of its points contradict it: along it they are %12g m/s and %12g m/s, and must be equal" ASSEMBLE,
+        hm_say(text,
+               "the velocities of its points contradict it: along it they are %12g m/s and %12g "
+               "m/s, and must be equal" ASSEMBLE,
                speed[0], speed[1]);
     else
-        hm_say(text, "the velocities of its parts contradict it, by %6g%s%s; correct the velocities" ASSEMBLE, rate,
-               *unit ? unit : " per second", *unit ? "/s" : "");
+        hm_say(text,
+               "the velocities of its parts contradict it, by %6g%s%s; correct the "
+               "velocities" ASSEMBLE,
+               rate, *unit ? unit : " per second", *unit ? "/s" : "");
 }
 
 static double angle_of_cosine(double cosine) { return hm_acos(fmax(-1.0, fmin(1.0, cosine))); }
@@ -292,15 +321,17 @@ static const char *unit_of(const drawing *d, int32_t row)
     return kind == ROW_ANGLE ? " rad" : KIND[kind].unit;
 }
 
-/* Rate of a row where it is more than dependent rows may miss together, as those of axes that are almost parallel do; else 0. */
+/* Rate of a row where it is more than dependent rows may miss together, as those of axes that are
+   almost parallel do; else 0. */
 static double missed_speed(const drawing *d, int32_t row)
 {
     const double most = LARGEST_CONTRADICTION * d->numbers[d->m->row_scale_at + row] * d->fastest;
     return fabs(d->rate[row]) > most ? speed_of(d, row) : 0.0;
 }
 
-/* With the setting `assemble` positions and velocities have been made consistent, so that a row which is still violated
-   cannot be met at all: one sentence names the parts that fight, each with what is missing. */
+/* With the setting `assemble` positions and velocities have been made consistent, so that a row
+   which is still violated cannot be met at all: one sentence names the parts that fight, each with
+   what is missing. */
 static int say_fighting(hm_text *text, const drawing *d)
 {
     int problems = 0;
@@ -310,15 +341,23 @@ static int say_fighting(hm_text *text, const drawing *d)
             int32_t worst = row;
             double whole;
             if (value(d, row) == 0.0 || !gather(d, row, value, 1, &worst, &whole)) continue;
-            hm_say(text, "%s", problems++ ? ", " : pass ? "the mechanism has no velocities at this place that its joints and drivers allow; these do not fit: "
-                                                        : "the mechanism cannot be closed: joints contradict each other; in the best pose that was "
-                                                          "found these do not fit: ");
-            hm_say(text, "%s (%3g%s%s)", d->f->text + d->f->row[worst].name, pass ? whole : missing(d, worst, whole), unit_of(d, worst),
-                   !pass ? "" : *unit_of(d, worst) ? "/s" : " per second");
+            hm_say(text, "%s",
+                   problems++ ? ", "
+                   : pass     ? "the mechanism has no velocities at this place that its joints and "
+                            "drivers allow; these do not fit: "
+                          : "the mechanism cannot be closed: joints contradict each other; in the "
+                            "best pose that was "
+                            "found these do not fit: ");
+            hm_say(text, "%s (%3g%s%s)", d->f->text + d->f->row[worst].name,
+                   pass ? whole : missing(d, worst, whole), unit_of(d, worst),
+                   !pass                ? ""
+                   : *unit_of(d, worst) ? "/s"
+                                        : " per second");
         }
         if (problems)
-            hm_say(text, "%s", pass ? "; draw it beside its dead centre, or let its drivers start from rest"
-                                    : "; move a part, or correct a length or a driver");
+            hm_say(text, "%s",
+                   pass ? "; draw it beside its dead centre, or let its drivers start from rest"
+                        : "; move a part, or correct a length or a driver");
     }
     return problems > 0;
 }
@@ -330,8 +369,8 @@ static int has_gap(const drawing *d, uint32_t name)
     return 0;
 }
 
-int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, const double *phi,
-                         const double *rate)
+int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *numbers,
+                         const hm_state *s, const double *phi, const double *rate)
 {
     drawing drawn = {f, &f->model, numbers, phi, rate, s, 0.0};
     const drawing *d = &drawn;
@@ -352,7 +391,7 @@ int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *nu
     return problems;
 }
 
-/* ---------------------------------------------------------------------------------------------------- dead centre */
+/* ---------------------------------------------------------------------------------- dead centre */
 
 static const double SHARE = 1e-3; /* of the largest lack, from which on a row is told */
 
@@ -376,8 +415,10 @@ static int lacks(const drawing *d, int32_t row)
 /* Whether a row is of a body whose angular velocity is not given. */
 static int is_of_free_body(const drawing *d, int32_t row)
 {
-    return is_of_body(d, row) && row < d->m->n_form_rows &&
-           d->numbers[d->m->velocity_weight_at + d->m->form_node[d->m->form_ptr[d->m->row_form[row]]]] <= 1.0;
+    return is_of_body(d, row) && row < d->m->n_form_rows
+           && d->numbers[d->m->velocity_weight_at
+                         + d->m->form_node[d->m->form_ptr[d->m->row_form[row]]]]
+                  <= 1.0;
 }
 
 static int say_names(hm_text *text, const drawing *d, row_test counts, const char *before)
@@ -385,18 +426,23 @@ static int say_names(hm_text *text, const drawing *d, row_test counts, const cha
     int said = 0;
     for (int32_t row = 0; row < d->m->n_rows; row++) {
         int is_told = !counts(d, row);
-        for (int32_t i = 0; i < row && !is_told; i++) is_told = d->f->row[i].name == d->f->row[row].name && counts(d, i);
-        if (!is_told) hm_say(text, "%s%s", said++ ? ", " : before, d->f->text + d->f->row[row].name);
+        for (int32_t i = 0; i < row && !is_told; i++)
+            is_told = d->f->row[i].name == d->f->row[row].name && counts(d, i);
+        if (!is_told)
+            hm_say(text, "%s%s", said++ ? ", " : before, d->f->text + d->f->row[row].name);
     }
     return said;
 }
 
-void hm_say_dead_centre(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, const double *lacking)
+void hm_say_dead_centre(hm_text *text, const hm_model_file *f, const double *numbers,
+                        const hm_state *s, const double *lacking)
 {
     const drawing d = {f, &f->model, numbers, lacking, lacking, s, 0.0};
-    hm_say(text, "the mechanism is drawn in a singular place, a dead centre, where branches of its motion meet: ");
+    hm_say(text, "the mechanism is drawn in a singular place, a dead centre, where branches of its "
+                 "motion meet: ");
     say_names(text, &d, lacks, "");
-    hm_say(text, " leave more velocities free there than beside it (holonom info: mobility by rank and by counting), and those at the "
+    hm_say(text, " leave more velocities free there than beside it (holonom info: mobility by rank "
+                 "and by counting), and those at the "
                  "start belong to no branch; give a velocity that chooses one");
     say_names(text, &d, is_of_free_body, ", such as that of ");
     hm_say(text, ", or draw the mechanism beside this place");

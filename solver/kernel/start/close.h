@@ -1,15 +1,20 @@
-/* Closes a mechanism that is drawn inexactly. First the smallest displacement in the mass metric, one step of initialise.h. Where
-   that step fails or leads far away, three others follow until one closes the mechanism:
+/* Closes a mechanism that is drawn inexactly. First the smallest displacement in the mass metric,
+   one step of initialise.h. Where that step fails or leads far away, three others follow until one
+   closes the mechanism:
 
-     0. full turns, which drivers ask for at the start: on a path, until the drawing recurs, and then by their number alone,
-     1. a path on which the gaps of the drawing shrink to zero, r(q) = (1 - s) r(q_drawn): it keeps the branch that is drawn.
-        Gaps of joints come first, while drivers keep those of the drawing: the branch does not depend on what drivers ask for.
-        Where joints do not close like that, all gaps shrink together,
-     2. Levenberg-Marquardt from the end of a path,   x = -M^-1 G' (G M^-1 G' + damping S)^-1 r,   S = diag(scale^2),
+     0. full turns, which drivers ask for at the start: on a path, until the drawing recurs, and
+   then by their number alone,
+     1. a path on which the gaps of the drawing shrink to zero, r(q) = (1 - s) r(q_drawn): it keeps
+   the branch that is drawn. Gaps of joints come first, while drivers keep those of the drawing: the
+   branch does not depend on what drivers ask for. Where joints do not close like that, all gaps
+   shrink together,
+     2. Levenberg-Marquardt from the end of a path,   x = -M^-1 G' (G M^-1 G' + damping S)^-1 r,   S
+   = diag(scale^2),
      3. the same from drawings that are shaken more and more, of which the nearest pose counts.
 
-   Unknowns are places and turns of bodies, which stay rigid; gaps r are the rows, of a rod l - L (Levenberg 1944; Marquardt
-   1963). Where no pose closes it, the best one is left: a minimum of sum (r/scale)^2. Random numbers are always the same. */
+   Unknowns are places and turns of bodies, which stay rigid; gaps r are the rows, of a rod l - L
+   (Levenberg 1944; Marquardt 1963). Where no pose closes it, the best one is left: a minimum of sum
+   (r/scale)^2. Random numbers are always the same. */
 #ifndef HOLONOM_CLOSE_H
 #define HOLONOM_CLOSE_H
 
@@ -17,25 +22,43 @@
 #include "fault.h"
 #include "put_back.h"
 
-enum { STAGES = 80, ROUNDS_OF_STAGE = 12, ROUNDS_OF_TRY = 200, TRIES = 20, TRIES_FOR_OTHERS = 6, MOST_LED = 2000 };
+enum {
+    STAGES = 80,
+    ROUNDS_OF_STAGE = 12,
+    ROUNDS_OF_TRY = 200,
+    TRIES = 20,
+    TRIES_FOR_OTHERS = 6,
+    MOST_LED = 2000
+};
 
-#define CLOSED 1e-10          /* gap over its scale that counts as none, but for round-off of angles of many turns */
+#define CLOSED                                                                                     \
+    1e-10 /* gap over its scale that counts as none, but for round-off of angles of many turns */
 #define ROUND_OFF_OF_ANGLE 1e-15
 #define FULL_TURN 6.283185307179586
-#define FARTHEST_ROUND 0.5    /* turn of a body in a round [rad]; a point moves by a third of the mechanism at most */
+#define FARTHEST_ROUND                                                                             \
+    0.5 /* turn of a body in a round [rad]; a point moves by a third of the mechanism at most */
 #define FARTHEST_STAGE 0.6    /* from pose to pose: farther ones may lie on another branch */
 #define SHORTEST_STAGE 1e-3   /* of the path, over its longest gap where that is above its scale */
 #define FARTHEST_PATH 2e3     /* gap over its scale that a path is followed along */
-#define FIRST_SHAKE 0.05      /* turns that the first try adds [rad]; each later one takes 1.3 times as much */
+#define FIRST_SHAKE                                                                                \
+    0.05 /* turns that the first try adds [rad]; each later one takes 1.3 times as much */
 #define LARGEST_SHAKE 1.5
-#define FAR 0.1               /* from the drawing: a pose is told, and others are searched that are as near */
+#define FAR 0.1 /* from the drawing: a pose is told, and others are searched that are as near */
 #define OTHER_POSE 0.02       /* from pose to pose: these are two, where nothing can move */
-#define AS_NEAR 1.5           /* times as far from the drawing as the pose that is taken: a drawing tells them apart no more */
+#define AS_NEAR                                                                                    \
+    1.5 /* times as far from the drawing as the pose that is taken: a drawing tells them apart no  \
+           more */
 
-enum { JOINTS, DRIVERS, TURN, LED }; /* rows, by whether they follow signals; a whole turn of one of these */
+enum {
+    JOINTS,
+    DRIVERS,
+    TURN,
+    LED
+}; /* rows, by whether they follow signals; a whole turn of one of these */
 
-/* Equations whose unknowns are turns of bodies, at the present state; gaps of the drawing (n_rows), and the part of them that is
-   aimed at, of joints and of drivers; and of `turn` [rad], which row `turned` is led by. */
+/* Equations whose unknowns are turns of bodies, at the present state; gaps of the drawing (n_rows),
+   and the part of them that is aimed at, of joints and of drivers; and of `turn` [rad], which row
+   `turned` is led by. */
 typedef struct closing {
     context at;
     double *drawn, aimed[LED], turn;
@@ -46,7 +69,7 @@ typedef struct closing {
     uint32_t random;
 } closing;
 
-/* ------------------------------------------------------------------------------------------------------ gaps */
+/* ----------------------------------------------------------------------------------------- gaps */
 
 /* Gap of row i from its value phi, its scale, and the gradient of phi over that of the gap. */
 static double gap_of_row(const context *at, int32_t i, double phi, double *scale, double *slope)
@@ -71,7 +94,8 @@ static int is_driver(const context *c, int32_t i)
     return m->form_moving[f] > m->form_free[f];
 }
 
-/* Looks at the gaps of the state less those aimed at; right-hand sides of their equations in phi, compliances in epsilon. */
+/* Looks at the gaps of the state less those aimed at; right-hand sides of their equations in phi,
+   compliances in epsilon. */
 static void look_at_gaps(closing *x, double damping)
 {
     context *at = &x->at;
@@ -84,10 +108,12 @@ static void look_at_gaps(closing *x, double damping)
         double scale, slope;
         const double led = i == x->turned ? (1.0 - x->aimed[TURN]) * x->turn : 0.0;
         const double aimed = x->aimed[is_driver(at, i)] * x->drawn[i] + led;
-        const double gap = gap_of_row(at, i, at->k.phi0[i], &scale, &slope) - aimed, part = gap / scale;
+        const double gap = gap_of_row(at, i, at->k.phi0[i], &scale, &slope) - aimed,
+                     part = gap / scale;
         const double usual = hm_square(slope * scale) / (size2 > 0.0 ? size2 : 1.0);
         at->k.phi[i] = slope * gap;
-        at->k.epsilon[i] = fmax(damping * usual, at->number[m->row_sigma_at + i] / AT_STATE_PENALTY);
+        at->k.epsilon[i] =
+            fmax(damping * usual, at->number[m->row_sigma_at + i] / AT_STATE_PENALTY);
         x->sum += part * part;
         if (exceeds(fabs(part), x->largest)) x->largest = fabs(part);
     }
@@ -95,10 +121,10 @@ static void look_at_gaps(closing *x, double damping)
 
 static int is_closed_now(const closing *x) { return x->largest <= x->none; }
 
-/* ------------------------------------------------------------------------------------------------------ poses */
+/* ---------------------------------------------------------------------------------------- poses */
 
-/* How far the state is from a pose: the largest turn of a body, as the chord of its directors, or way of a point over the size of
-   the mechanism. */
+/* How far the state is from a pose: the largest turn of a body, as the chord of its directors, or
+   way of a point over the size of the mechanism. */
 static double distance_from(const context *c, const double *pose)
 {
     const double *q = pose + (c->s.q - c->s.head);
@@ -106,7 +132,8 @@ static double distance_from(const context *c, const double *pose)
     for (int32_t a = 0; a < c->m->n_free; a++) {
         double square = 0.0;
         EACH(k) square += hm_square(c->s.q[DIM * a + k] - q[DIM * a + k]);
-        farthest = fmax(farthest, sqrt(square) / (c->m->node_kind[a] ? 1.0 : c->number[c->m->extent_at]));
+        farthest =
+            fmax(farthest, sqrt(square) / (c->m->node_kind[a] ? 1.0 : c->number[c->m->extent_at]));
     }
     return farthest;
 }
@@ -120,7 +147,9 @@ static void turn_once_by(context *c, int32_t a, const double *turn)
         double once[DIM], twice[DIM];
         turned_by(t, c->s.q + at, once);
         turned_by(t, once, twice);
-        EACH(k) hm_add(c->s.q + at + k, c->s.q_low + at + k, 2.0 / (1.0 + size2) * (once[k] + twice[k]));
+        EACH(k)
+            hm_add(c->s.q + at + k, c->s.q_low + at + k,
+                   2.0 / (1.0 + size2) * (once[k] + twice[k]));
     }
 }
 
@@ -146,7 +175,8 @@ static double allowed_part(const context *at, const double *x)
         const double *own = x + at->lu->node_position[a], turns = is_director(at, a);
         double square = 0.0;
         for (int k = 0; k < unknown_size(at, a); k++) square += own[k] * own[k];
-        farthest = fmax(farthest, sqrt(square) / (turns ? FARTHEST_ROUND : at->number[at->m->extent_at] / 3.0));
+        farthest = fmax(
+            farthest, sqrt(square) / (turns ? FARTHEST_ROUND : at->number[at->m->extent_at] / 3.0));
     }
     return farthest > 1.0 ? 1.0 / farthest : 1.0;
 }
@@ -170,7 +200,7 @@ static void shake(closing *x, double size)
     move_by(at, way, 1.0);
 }
 
-/* ----------------------------------------------------------------------------------------------- ways to close */
+/* -------------------------------------------------------------------------------- ways to close */
 
 /* Levenberg-Marquardt from the present pose towards the gaps aimed at. */
 static int32_t approach(closing *x, int rounds)
@@ -203,7 +233,8 @@ static int32_t approach(closing *x, int rounds)
     return HOLONOM_OK;
 }
 
-/* Follows the gaps of the rows `first` to `last` to zero, as far as it goes; whether that is all the way. */
+/* Follows the gaps of the rows `first` to `last` to zero, as far as it goes; whether that is all
+   the way. */
 static int follow_gaps(closing *x, int first, int last)
 {
     context *at = &x->at;
@@ -213,7 +244,8 @@ static int follow_gaps(closing *x, int first, int last)
         const double end = fmin(1.0, done + length);
         keep_state(at, stage);
         for (int k = first; k <= last; k++) x->aimed[k] = 1.0 - end;
-        const int fails = approach(x, end < 1.0 ? ROUNDS_OF_STAGE : ROUNDS_OF_TRY) || !is_closed_now(x);
+        const int fails =
+            approach(x, end < 1.0 ? ROUNDS_OF_STAGE : ROUNDS_OF_TRY) || !is_closed_now(x);
         if (fails || distance_from(at, stage) > FARTHEST_STAGE) {
             take_state(at, stage);
             length *= 0.5;
@@ -248,7 +280,8 @@ static void begin_closing(const context *c, closing *x)
     x->random = 1;
     memset(x->drawn, 0, sizeof(double) * (size_t)c->m->n_rows);
     look_at_gaps(x, 1.0);
-    for (int32_t j = 0; j < c->m->n_quantities; j++) turned = fmax(turned, FULL_TURN * fabs(c->s.turns[j]));
+    for (int32_t j = 0; j < c->m->n_quantities; j++)
+        turned = fmax(turned, FULL_TURN * fabs(c->s.turns[j]));
     EACH_ROW(&x->at, i) {
         double scale, slope;
         x->drawn[i] = gap_of_row(&x->at, i, x->at.k.phi0[i], &scale, &slope);
@@ -258,7 +291,8 @@ static void begin_closing(const context *c, closing *x)
 }
 
 /* Function whose row is i; negative of another row. */
-static int32_t function_of_row(const context *c, int32_t i) { return i - c->m->n_form_rows - DIM * c->m->n_coincidences; }
+static int32_t function_of_row(const context *c, int32_t i)
+{ return i - c->m->n_form_rows - DIM * c->m->n_coincidences; }
 
 /* Adds turns to the angles that row i reads; returns how many these are. */
 static int add_turns(context *c, int32_t i, double count)
@@ -276,9 +310,11 @@ static int add_turns(context *c, int32_t i, double count)
 }
 
 /* Whether row i follows signals and reads an angle, whose full turns count. */
-static int is_driven_angle(context *c, int32_t i) { return function_of_row(c, i) >= 0 && is_driver(c, i) && add_turns(c, i, 0.0); }
+static int is_driven_angle(context *c, int32_t i)
+{ return function_of_row(c, i) >= 0 && is_driver(c, i) && add_turns(c, i, 0.0); }
 
-/* Takes the pose `begun` with those turns of angles that are counted at present, if it has the gaps aimed at then; whether it has. */
+/* Takes the pose `begun` with those turns of angles that are counted at present, if it has the gaps
+   aimed at then; whether it has. */
 static int recurs(closing *x, const double *begun)
 {
     context *at = &x->at;
@@ -292,12 +328,14 @@ static int recurs(closing *x, const double *begun)
     return 0;
 }
 
-/* Leads row i by whole turns towards its signal, all other gaps as drawn, until less than a turn is left. Once the drawing fits again,
-   the turns that are left are only counted, those of all angles. So are those of row i where it cannot be led. */
+/* Leads row i by whole turns towards its signal, all other gaps as drawn, until less than a turn is
+   left. Once the drawing fits again, the turns that are left are only counted, those of all angles.
+   So are those of row i where it cannot be led. */
 static void wind_row(closing *x, int32_t i)
 {
     context *at = &x->at;
-    double *begun = at->k.step_backup, *turns = begun + (at->s.turns - at->s.head), *gap = x->drawn + i;
+    double *begun = at->k.step_backup, *turns = begun + (at->s.turns - at->s.head),
+           *gap = x->drawn + i;
     double left = floor(fabs(*gap) / FULL_TURN + 0.5), led = 0.0;
     x->turn = *gap < 0.0 ? FULL_TURN : -FULL_TURN;
     keep_state(at, begun);
@@ -311,7 +349,8 @@ static void wind_row(closing *x, int32_t i)
         left--, led++;
         if (!recurs(x, begun)) continue;
         const double skipped = floor(left / led);
-        for (int32_t j = 0; j < at->m->n_quantities; j++) at->s.turns[j] += skipped * (at->s.turns[j] - turns[j]);
+        for (int32_t j = 0; j < at->m->n_quantities; j++)
+            at->s.turns[j] += skipped * (at->s.turns[j] - turns[j]);
         *gap += skipped * led * x->turn;
         left -= skipped * led;
         led = 0.0;
@@ -327,7 +366,8 @@ static void wind_row(closing *x, int32_t i)
     *gap -= (led + left) * x->turn;
 }
 
-/* Counts the full turns that drivers ask for at the start, so that what is left of each is less than half a turn. */
+/* Counts the full turns that drivers ask for at the start, so that what is left of each is less
+   than half a turn. */
 HM_SELDOM static void wind(context *c)
 {
     closing x;
@@ -350,7 +390,8 @@ static int can_move(closing *x)
     gather_momentum(at);
     for (int32_t a = 0; a < at->m->n_free; a = next_unknown(at, a)) {
         const double *momentum = at->k.momentum + DIM * a;
-        all += is_director(at, a) ? turning_norm2(at, a, momentum, -1) : dot(momentum, momentum) / at->number[at->m->node_mass_at + a];
+        all += is_director(at, a) ? turning_norm2(at, a, momentum, -1)
+                                  : dot(momentum, momentum) / at->number[at->m->node_mass_at + a];
     }
     EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = 0.0;
     solve_factors(at);
@@ -360,16 +401,20 @@ static int can_move(closing *x)
     return !(fabs(left) < 1e-4 * all);
 }
 
-/* Tries from shaken drawings. Where a pose is `known`, which lies in pair_backup, some tell whether there are others; else the nearest
-   to the drawing is taken of those that close the mechanism, or, where none does, the best that was met. Whether one is closed. */
+/* Tries from shaken drawings. Where a pose is `known`, which lies in pair_backup, some tell whether
+   there are others; else the nearest to the drawing is taken of those that close the mechanism, or,
+   where none does, the best that was met. Whether one is closed. */
 static int try_shaken(closing *x, int known)
 {
     context *at = &x->at;
-    double *drawn = at->k.step_backup, *taken = at->k.pair_backup, *best = at->k.whole_backup + at->state_size;
-    double way = known ? distance_from(at, drawn) : INFINITY, other = INFINITY, sum = x->sum, size = FIRST_SHAKE;
+    double *drawn = at->k.step_backup, *taken = at->k.pair_backup,
+           *best = at->k.whole_backup + at->state_size;
+    double way = known ? distance_from(at, drawn) : INFINITY, other = INFINITY, sum = x->sum,
+           size = FIRST_SHAKE;
     int tries = 0, found = known;
     keep_state(at, best);
-    for (; tries < (known ? TRIES_FOR_OTHERS : TRIES); tries++, size = fmin(1.3 * size, LARGEST_SHAKE)) {
+    for (; tries < (known ? TRIES_FOR_OTHERS : TRIES);
+         tries++, size = fmin(1.3 * size, LARGEST_SHAKE)) {
         take_state(at, drawn);
         shake(x, size);
         if (approach(x, ROUNDS_OF_TRY)) continue;
@@ -390,8 +435,9 @@ static int try_shaken(closing *x, int known)
     return found;
 }
 
-/* Searches a pose that closes the mechanism, near the drawing in step_backup, and others that are as near. `is_closed`: the state
-   is one already. Where none is found, the best pose is left, and HOLONOM_UZAWA_DIVERGED returned. */
+/* Searches a pose that closes the mechanism, near the drawing in step_backup, and others that are
+   as near. `is_closed`: the state is one already. Where none is found, the best pose is left, and
+   HOLONOM_UZAWA_DIVERGED returned. */
 HM_SELDOM static int32_t find_pose(context *c, int is_closed)
 {
     double *head = c->s.head, *drawn = c->k.step_backup, *taken = c->k.pair_backup;
@@ -406,7 +452,8 @@ HM_SELDOM static int32_t find_pose(context *c, int is_closed)
         take_state(c, drawn);
         how = CLOSING_ON_PATH;
         x.aimed[DRIVERS] = 1.0;
-        if (first == DRIVERS && (lead_gaps(&x, JOINTS, JOINTS, &how) || !is_closed_now(&x))) continue;
+        if (first == DRIVERS && (lead_gaps(&x, JOINTS, JOINTS, &how) || !is_closed_now(&x)))
+            continue;
         const int32_t status = lead_gaps(&x, first, DRIVERS, &how);
         if (status) return status;
         is_closed = is_closed_now(&x);

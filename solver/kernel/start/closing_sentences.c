@@ -1,5 +1,5 @@
-/* What is said of a mechanism that was closed: what moved far from its drawing, whether other poses are as near, and which given
-   velocity joints do not allow. */
+/* What is said of a mechanism that was closed: what moved far from its drawing, whether other poses
+   are as near, and which given velocity joints do not allow. */
 #include "small.h"
 
 #include "sentences.h"
@@ -18,7 +18,8 @@ typedef struct move {
 } move;
 
 /* Component k of measured place j, the end of a link, at coordinates q. */
-static double measured_place(const hm_model_file *f, const double *numbers, const double *q, int32_t j, int k)
+static double measured_place(const hm_model_file *f, const double *numbers, const double *q,
+                             int32_t j, int k)
 {
     const holonom_model *m = &f->model;
     const int32_t form = m->place_form[j];
@@ -26,7 +27,8 @@ static double measured_place(const hm_model_file *f, const double *numbers, cons
     for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {
         const double *place = hm_place_of_node(m, numbers, q, m->form_node[e]);
         sum += numbers[m->alpha_at + e] * place[k];
-        if (DIM == 2 && m->form_kind[form] & FORM_TURNED) sum += numbers[m->alpha_turn_at + e] * (k ? 1.0 : -1.0) * place[1 - k];
+        if (DIM == 2 && m->form_kind[form] & FORM_TURNED)
+            sum += numbers[m->alpha_turn_at + e] * (k ? 1.0 : -1.0) * place[1 - k];
     }
     return sum;
 }
@@ -45,17 +47,22 @@ static double turned_angle(const double *now, const double *drawn, int32_t a)
 }
 
 /* The angle that the body of this name turned by; 0 if there is none. */
-static double turn_of(const hm_model_file *f, const double *numbers, const hm_state *s, const char *name, int length)
+static double turn_of(const hm_model_file *f, const double *numbers, const hm_state *s,
+                      const char *name, int length)
 {
     const holonom_model *m = &f->model;
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) /* the first of a body has its first director */
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows;
+         i++) /* the first of a body has its first director */
         if (hm_is_of_body(f, i, name, (size_t)length))
-            return turned_angle(s->q, numbers + m->initial_position_at, m->form_node[m->form_ptr[m->row_form[i]]]);
+            return turned_angle(s->q, numbers + m->initial_position_at,
+                                m->form_node[m->form_ptr[m->row_form[i]]]);
     return 0.0;
 }
 
-/* How far the part moved whose x coordinate this variable is; 0 if it is none of a point or of the origin of a body. */
-static int find_move(const hm_model_file *f, const double *numbers, const hm_state *s, const hm_variable *v, move *x)
+/* How far the part moved whose x coordinate this variable is; 0 if it is none of a point or of the
+   origin of a body. */
+static int find_move(const hm_model_file *f, const double *numbers, const hm_state *s,
+                     const hm_variable *v, move *x)
 {
     const holonom_model *m = &f->model;
     const char *name = f->text + v->name, *dot = strchr(name, '.');
@@ -64,15 +71,18 @@ static int find_move(const hm_model_file *f, const double *numbers, const hm_sta
     double square = 0.0;
     if (v->kind != KIND_MEASURED || !dot || strcmp(dot, ".x")) return 0;
     const int is_node = v->place < DIM * m->n_free; /* driven nodes go where they must */
-    if (!is_node && (v->place < first_place || v->place >= first_place + DIM * m->n_places)) return 0;
+    if (!is_node && (v->place < first_place || v->place >= first_place + DIM * m->n_places))
+        return 0;
     for (int k = 0; k < DIM; k++) {
         const double *drawn = numbers + m->initial_position_at;
         const int32_t j = (v->place - first_place) / DIM;
         const double way = is_node ? s->q[v->place + k] - drawn[v->place + k]
-                                   : measured_place(f, numbers, s->q, j, k) - measured_place(f, numbers, drawn, j, k);
+                                   : measured_place(f, numbers, s->q, j, k)
+                                         - measured_place(f, numbers, drawn, j, k);
         square += way * way;
     }
-    *x = (move){name, (int)(dot - name), sqrt(square), turn_of(f, numbers, s, name, (int)(dot - name))};
+    *x = (move){name, (int)(dot - name), sqrt(square),
+                turn_of(f, numbers, s, name, (int)(dot - name))};
     return 1;
 }
 
@@ -84,7 +94,8 @@ static double farness(const hm_model_file *f, const double *numbers, const move 
 }
 
 /* Says which parts moved far, the farthest first; returns how many. */
-static int say_moves(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s)
+static int say_moves(hm_text *text, const hm_model_file *f, const double *numbers,
+                     const hm_state *s)
 {
     double last = INFINITY;
     uint32_t last_variable = 0;
@@ -100,22 +111,30 @@ static int say_moves(hm_text *text, const hm_model_file *f, const double *number
         for (uint32_t k = 0; k < f->header->n_variables; k++) {
             if (!find_move(f, numbers, s, f->variable + k, &x)) continue;
             const double far = farness(f, numbers, &x);
-            if (far > most && (far < last || (far == last && k > last_variable))) most = far, at = k, next = x;
+            if (far > most && (far < last || (far == last && k > last_variable)))
+                most = far, at = k, next = x;
         }
         hm_say(text, "%s", told ? ", " : "closing the mechanism moved ");
         hm_say_part(text, next.name, (size_t)next.length);
-        const int goes = next.way > ROUND_OFF * numbers[f->model.extent_at], turns = fabs(next.turn) > ROUND_OFF;
+        const int goes = next.way > ROUND_OFF * numbers[f->model.extent_at],
+                  turns = fabs(next.turn) > ROUND_OFF;
         if (goes) hm_say(text, " by %3g m", next.way);
         if (turns) hm_say(text, " %s %3g rad", goes ? "and" : "by", next.turn);
         last = most, last_variable = at;
     }
     if (all > told) hm_say(text, " and %d more", all - told);
-    if (all) hm_say(text, ", more than a tenth of its size, %3g m, or of a turn; draw what moved nearer to its place", numbers[f->model.extent_at]);
+    if (all)
+        hm_say(text,
+               ", more than a tenth of its size, %3g m, or of a turn; draw what moved nearer to "
+               "its place",
+               numbers[f->model.extent_at]);
     return all;
 }
 
-/* Velocity of node a in motion v [m/s], or the angular velocity of the body that it is the first director of [rad/s]; its size. */
-static double rate_of(const holonom_model *m, int32_t a, const double *q, const double *v, double *rate)
+/* Velocity of node a in motion v [m/s], or the angular velocity of the body that it is the first
+   director of [rad/s]; its size. */
+static double rate_of(const holonom_model *m, int32_t a, const double *q, const double *v,
+                      double *rate)
 {
     double square = 0.0;
     const int n = m->node_kind[a] ? TURNING : DIM;
@@ -126,25 +145,31 @@ static double rate_of(const holonom_model *m, int32_t a, const double *q, const 
 }
 
 /* Says which given velocity joints have changed most, if by more than a tenth of it. */
-static void say_changed_velocity(hm_text *text, int others, const hm_model_file *f, const double *numbers, const hm_state *s)
+static void say_changed_velocity(hm_text *text, int others, const hm_model_file *f,
+                                 const double *numbers, const hm_state *s)
 {
     const holonom_model *m = &f->model;
     double most = TENTH, far = 0.0, fastest = 0.0, unused[DIM];
     int32_t worst = -1;
     for (int32_t a = 0; a < m->n_free; a++)
-        if (m->node_kind[a] <= NODE_DIRECTION) fastest = fmax(fastest, rate_of(m, a, s->q, s->v, unused) / (m->node_kind[a] ? 1.0 : numbers[m->extent_at]));
+        if (m->node_kind[a] <= NODE_DIRECTION)
+            fastest = fmax(fastest, rate_of(m, a, s->q, s->v, unused)
+                                        / (m->node_kind[a] ? 1.0 : numbers[m->extent_at]));
     for (int32_t a = 0; a < m->n_free; a++) {
         double given[DIM], now[DIM], square = 0.0;
         if (m->node_kind[a] > NODE_DIRECTION || numbers[m->velocity_weight_at + a] <= 1.0) continue;
-        const double size = rate_of(m, a, numbers + m->initial_position_at, numbers + m->initial_velocity_at, given);
+        const double size = rate_of(m, a, numbers + m->initial_position_at,
+                                    numbers + m->initial_velocity_at, given);
         const double own = rate_of(m, a, s->q, s->v, now);
-        for (int k = 0; k < (m->node_kind[a] ? TURNING : DIM); k++) square += hm_square(now[k] - given[k]);
+        for (int k = 0; k < (m->node_kind[a] ? TURNING : DIM); k++)
+            square += hm_square(now[k] - given[k]);
         const double least = SLOW * fastest * (m->node_kind[a] ? 1.0 : numbers[m->extent_at]);
         const double change = sqrt(square) / fmax(fmax(size, own), least / TENTH);
         if (change > most) worst = a, far = sqrt(square), most = change;
     }
     if (worst < 0) return;
-    hm_say(text, "%sjoints%s do not allow the velocity that is given for ", others ? "; " : "", m->n_signals ? " and drivers" : "");
+    hm_say(text, "%sjoints%s do not allow the velocity that is given for ", others ? "; " : "",
+           m->n_signals ? " and drivers" : "");
     hm_say_node(text, f, worst);
     hm_say(text, ": it starts %3g %s away from it", far, m->node_kind[worst] ? "rad/s" : "m/s");
     hm_say(text, "; give velocities that belong to one motion, or one alone");
@@ -155,12 +180,17 @@ int hm_say_closing(hm_text *text, const hm_model_file *f, const double *numbers,
     const double *head = s->head;
     const size_t begin = text->used;
     if (say_moves(text, f, numbers, s) && head[S_CLOSING] == CLOSING_BEHIND_PATH)
-        hm_say(text, "; on the way from the drawing it came to a dead centre, and may have gone to another branch");
+        hm_say(text, "; on the way from the drawing it came to a dead centre, and may have gone to "
+                     "another branch");
     if (text->used > begin && head[S_CLOSING] == CLOSING_SHAKEN)
-        hm_say(text, "; the drawing itself leads to no pose, this one was found from one of %d drawings that were shaken",
+        hm_say(text,
+               "; the drawing itself leads to no pose, this one was found from one of %d drawings "
+               "that were shaken",
                (int)head[S_CLOSING_TRIES]);
     if (head[S_CLOSING_OTHERS] != 0.0)
-        hm_say(text, "%s another pose closes it, too, and is as near to the drawing: turn a body towards the one that is meant",
+        hm_say(text,
+               "%s another pose closes it, too, and is as near to the drawing: turn a body towards "
+               "the one that is meant",
                text->used > begin ? ";" : "closing the mechanism:");
     say_changed_velocity(text, text->used > begin, f, numbers, s);
     return text->used > begin;

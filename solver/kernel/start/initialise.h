@@ -1,7 +1,8 @@
-/* Seeks an initial configuration: closes a mechanism that is drawn inexactly, or lets it settle. Both are steps from
-   rest whose forces and constraints act at their end, (2/h) M d + h (G_1' mu + dU_1 - Q_1) = 0, Phi(q + d) = 0:
-   without forces the smallest displacement in the mass metric, with forces a descent, since the energy at the end
-   is smaller by what motion would have taken; h grows until it is Newton's iteration for the equilibrium. */
+/* Seeks an initial configuration: closes a mechanism that is drawn inexactly, or lets it settle.
+   Both are steps from rest whose forces and constraints act at their end, (2/h) M d + h (G_1' mu +
+   dU_1 - Q_1) = 0, Phi(q + d) = 0: without forces the smallest displacement in the mass metric,
+   with forces a descent, since the energy at the end is smaller by what motion would have taken; h
+   grows until it is Newton's iteration for the equilibrium. */
 #ifndef HOLONOM_INITIALISE_H
 #define HOLONOM_INITIALISE_H
 
@@ -9,7 +10,8 @@
 #include "dead_centre.h"
 #include "stepped.h"
 
-/* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and that of d. */
+/* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and
+   that of d. */
 static int32_t seek_increment(context *c, double *increment, double *size)
 {
     const holonom_model *m = c->m;
@@ -29,20 +31,24 @@ static int32_t seek_increment(context *c, double *increment, double *size)
         EACH(k) c->k.w[DIM * a + k] = c->k.d[DIM * a + k] += part * x[k];
         size2 += c->number[m->node_mass_at + a] * dot(c->k.d + DIM * a, c->k.d + DIM * a);
     }
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.lambda[i] = c->k.mu[i] += part * c->k.rhs[m->full.row_position[i]];
+    for (int32_t i = 0; i < m->n_rows; i++)
+        c->k.lambda[i] = c->k.mu[i] += part * c->k.rhs[m->full.row_position[i]];
     *size = sqrt(size2);
     return HOLONOM_OK;
 }
 
-/* One such step of length h, without forces where `constraints_only`; its size in the mass norm. Multipliers start from
-   those of the state. */
-HM_SELDOM static int32_t seek_step(const context *begun, double h, int constraints_only, double *size)
+/* One such step of length h, without forces where `constraints_only`; its size in the mass norm.
+   Multipliers start from those of the state. */
+HM_SELDOM static int32_t seek_step(const context *begun, double h, int constraints_only,
+                                   double *size)
 {
     context seeking = *begun, *c = &seeking;
     const holonom_model *m = c->m;
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE],
+                 floor = 1e-13 * c->number[m->extent_at + 1];
     double last = INFINITY;
-    /* With forces the rows' compliance G A^-1 G' grows with h^2 only until springs hold the mechanism. */
+    /* With forces the rows' compliance G A^-1 G' grows with h^2 only until springs hold the
+       mechanism. */
     const double holding = constraints_only ? h : fmin(h, hm_step_size(c->s.head));
     stand_still(c);
     c->theta = 1.0;
@@ -50,7 +56,8 @@ HM_SELDOM static int32_t seek_step(const context *begun, double h, int constrain
     c->constraints_only = constraints_only;
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.mu[i] = c->k.lambda[i] = c->s.mu[0][i];
-        c->k.epsilon[i] = holding * holding * c->number[m->row_sigma_at + i] / (2.0 * c->s.head[S_PENALTY]);
+        c->k.epsilon[i] =
+            holding * holding * c->number[m->row_sigma_at + i] / (2.0 * c->s.head[S_PENALTY]);
     }
     int32_t status = evaluate_residual(c);
     for (int iteration = 0; !status && iteration < 60; iteration++) {
@@ -60,7 +67,8 @@ HM_SELDOM static int32_t seek_step(const context *begun, double h, int constrain
         if ((status = seek_increment(c, &increment, size))) break;
         status = evaluate_residual(c);
         const double defect = constraint_defect(c);
-        if (!status && defect <= tolerance && (increment <= floor || (increment > 0.5 * last && increment <= 100.0 * floor)))
+        if (!status && defect <= tolerance
+            && (increment <= floor || (increment > 0.5 * last && increment <= 100.0 * floor)))
             break;
         last = increment;
         if (iteration == 59) status = HOLONOM_NEWTON_DIVERGED;
@@ -76,7 +84,8 @@ static void take_over(context *c)
 
 enum { ROUNDS = 8 };
 
-static int is_given(const context *c, int32_t a) { return c->number[c->m->velocity_weight_at + a] > 1.0; }
+static int is_given(const context *c, int32_t a)
+{ return c->number[c->m->velocity_weight_at + a] > 1.0; }
 
 #define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
 #define GIVEN_HOLD 1e-9  /* changes of given velocities, likewise */
@@ -90,15 +99,18 @@ static double lost_of_given(const context *c, const double *given)
     for (int32_t a = 0; a < m->n_free; a++) {
         double change[DIM];
         EACH(k) change[k] = is_given(c, a) ? c->s.v[DIM * a + k] - given[DIM * a + k] : 0.0;
-        lost = fmax(lost, sqrt(dot(change, change)) / (m->node_kind[a] ? 1.0 : c->number[m->extent_at]));
+        lost = fmax(lost,
+                    sqrt(dot(change, change)) / (m->node_kind[a] ? 1.0 : c->number[m->extent_at]));
     }
     return fastest > 0.0 ? lost / fastest : 0.0;
 }
 
-/* Velocities next to those given (n), in the mass metric, that the rows allow. Where they are to be kept, by large `weight`s, three
-   rounds each begin with them again, and more follow where that brings them nearer: gears may make what is not given heavier yet. The
-   others let the rows hold to round-off. What rows still ask for, over their scales, becomes `defect`. */
-HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given, const double *weight, double *defect)
+/* Velocities next to those given (n), in the mass metric, that the rows allow. Where they are to be
+   kept, by large `weight`s, three rounds each begin with them again, and more follow where that
+   brings them nearer: gears may make what is not given heavier yet. The others let the rows hold to
+   round-off. What rows still ask for, over their scales, becomes `defect`. */
+HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given,
+                                                    const double *weight, double *defect)
 {
     const holonom_model *m = c->m;
     double last = INFINITY, lost = INFINITY;
@@ -115,7 +127,8 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
         signal_rates_at(c, c->t, c->k.signal_rate);
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
         *defect = largest_row(c, c->k.phi);
-        if (round == ROUNDS || (round > 3 && !(*defect < 0.5 * last))) break; /* light parts cost digits: again, as long as it helps */
+        if (round == ROUNDS || (round > 3 && !(*defect < 0.5 * last)))
+            break; /* light parts cost digits: again, as long as it helps */
         last = round < 3 ? INFINITY : *defect;
         const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
         if (status) return status;
@@ -124,8 +137,9 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
     return HOLONOM_OK;
 }
 
-/* Velocities that the rows allow. Where light parts cost all digits, or heavy ones keep light ones from what is given, once more in an
-   even metric; a contradiction of those given is shared out by masses. */
+/* Velocities that the rows allow. Where light parts cost all digits, or heavy ones keep light ones
+   from what is given, once more in an even metric; a contradiction of those given is shared out by
+   masses. */
 HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
 {
     const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving);
@@ -142,7 +156,8 @@ HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
     status = take_even_metric(c);
     if (!status) status = project_initial_velocities(c, given, weight, &defect);
     leave_even_metric(c);
-    if (holds && (status || !(lost_of_given(c, given) < 0.5 * lost))) memcpy(c->s.v, by_masses, bytes);
+    if (holds && (status || !(lost_of_given(c, given) < 0.5 * lost)))
+        memcpy(c->s.v, by_masses, bytes);
     return holds ? HOLONOM_OK : status;
 }
 
@@ -153,7 +168,8 @@ HM_SELDOM static void turn_velocities(const context *c)
         const int32_t first = DIM * c->m->body_node[b];
         double omega[TURNING];
         turn_of_directors(c->number + c->m->initial_position_at + first, c->s.v + first, omega);
-        for (int i = 0; i < DIM * TURNING; i += DIM) turned_by(omega, c->s.q + first + i, c->s.v + first + i);
+        for (int i = 0; i < DIM * TURNING; i += DIM)
+            turned_by(omega, c->s.q + first + i, c->s.v + first + i);
     }
 }
 
@@ -166,7 +182,8 @@ static int32_t close_places(context *c)
     if (c->m->n_signals) wind(c);
     keep_state(c, c->k.step_backup);
     int32_t status = seek_step(c, 1.0, 1, &size);
-    if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW || status == HOLONOM_STOPPED) return status;
+    if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW || status == HOLONOM_STOPPED)
+        return status;
     if (!status) take_over(c), follow_angles(c, NULL);
     const double way = status ? INFINITY : distance_from(c, c->k.step_backup);
     if (way <= FAR) return HOLONOM_OK;
@@ -184,16 +201,19 @@ static int32_t close_mechanism(context *c)
 
 enum {
     MOST_CHOICES_AT_START = 200, /* of closed contacts in a step towards the equilibrium */
-    FREE_CHOICES = 8 /* in which all contacts that object change; in others the first one, and they come to an end (Murty 1974) */
+    FREE_CHOICES = 8 /* in which all contacts that object change; in others the first one, and they
+                        come to an end (Murty 1974) */
 };
 
-/* Opens closed contacts that pull, and closes open ones that overlap, or the first of these; 0 if none does. */
+/* Opens closed contacts that pull, and closes open ones that overlap, or the first of these; 0 if
+   none does. */
 static int change_objecting(context *c, int the_first)
 {
     const double most = PENETRATION * c->number[c->m->extent_at];
     int changed = 0;
     for (int32_t i = 0; i < n_contacts(c->m) && !(the_first && changed); i++) {
-        const int closed = is_closed(c, i), pulls = closed && c->k.mu[row_of(c, c->m->contact_row[i])] > 0.0;
+        const int closed = is_closed(c, i),
+                  pulls = closed && c->k.mu[row_of(c, c->m->contact_row[i])] > 0.0;
         if (!pulls && (closed || !(gap_of(c, i) < -most))) continue;
         contact_of(c, i)[C_CLOSED] = !closed;
         changed = 1;
@@ -201,8 +221,8 @@ static int change_objecting(context *c, int the_first)
     return changed;
 }
 
-/* A step of seek_step with 0 <= N _|_ g >= 0 at its end, taken over; as it was if none is found, as in long steps that go
-   through a contact. Frictions are off: they hold nothing. */
+/* A step of seek_step with 0 <= N _|_ g >= 0 at its end, taken over; as it was if none is found, as
+   in long steps that go through a contact. Frictions are off: they hold nothing. */
 static int32_t seek_contacts(context *c, double h, double *size)
 {
     double *begun = c->k.pair_backup;
@@ -236,19 +256,24 @@ static int32_t seek_equilibrium(context *c)
         }
         moved = 1;
         /* Once every motion is slower than a step, its size says how far the equilibrium is. */
-        small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * hm_step_size(c->s.head) ? small + 1 : 0;
+        small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * hm_step_size(c->s.head)
+                    ? small + 1
+                    : 0;
         if (h < 1e6 * hm_step_size(c->s.head)) h *= 4.0;
     }
-    for (int32_t i = 0; i < n_contacts(m); i++) contact_of(c, i)[C_CLOSED] = 0.0; /* begin_contacts finds their modes */
+    for (int32_t i = 0; i < n_contacts(m); i++)
+        contact_of(c, i)[C_CLOSED] = 0.0; /* begin_contacts finds their modes */
     if (small < 2) return moved ? HOLONOM_NEWTON_DIVERGED : failure;
-    return m->n_signals ? make_velocities_consistent(c, 0) : HOLONOM_OK; /* at rest, but for what drivers move */
+    return m->n_signals ? make_velocities_consistent(c, 0)
+                        : HOLONOM_OK; /* at rest, but for what drivers move */
 }
 
 /* Configuration, signals and velocities at the beginning, before anything is derived from them. */
 static void take_initial(context *c)
 {
     const holonom_model *m = c->m;
-    const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving), driven = sizeof(double) * (size_t)(DIM * m->n_driven);
+    const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving),
+                 driven = sizeof(double) * (size_t)(DIM * m->n_driven);
     memcpy(c->s.q, c->number + m->initial_position_at, bytes);
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
     memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
@@ -271,15 +296,18 @@ static void open_ledger(context *c)
     for (int32_t a = 0; a < c->n_moving; a++) mass += c->number[m->node_weight_at + a];
     head[S_KINETIC_START] = kinetic;
     head[S_POTENTIAL_START] = stored_energy(c);
-    head[S_STORED_START] = potential_change(c); /* and weights on what rounding left over of the coordinates */
-    /* Floors, so that a mechanism at rest has a finite relative error: of its weight and springs and, if it has none, of
-       what stands still, whose places are known to round-off: 1e5 times theirs a step. A mechanism with weight has no such
-       floor: where its steps are so short that round-off feeds the energy, energy.error shows it. */
+    head[S_STORED_START] =
+        potential_change(c); /* and weights on what rounding left over of the coordinates */
+    /* Floors, so that a mechanism at rest has a finite relative error: of its weight and springs
+       and, if it has none, of what stands still, whose places are known to round-off: 1e5 times
+       theirs a step. A mechanism with weight has no such floor: where its steps are so short that
+       round-off feeds the energy, energy.error shows it. */
     const double weight = mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at];
     const double still = hm_square(1e5 * round_off_of_places(c) / hm_step_size(head));
     const double floor = 1e-3 * (weight + fabs(head[S_POTENTIAL_START]));
     for (int32_t a = 0; a < c->n_moving; a++)
-        head[S_POTENTIAL_START] -= c->number[m->node_weight_at + a] * dot(gravity, c->s.q + DIM * a);
+        head[S_POTENTIAL_START] -=
+            c->number[m->node_weight_at + a] * dot(gravity, c->s.q + DIM * a);
     head[S_ENERGY_REFERENCE] = fmax(kinetic, floor > 0.0 ? floor : still);
 }
 
@@ -294,33 +322,37 @@ static int32_t refuse_penetration(context *c)
     return HOLONOM_OK;
 }
 
-/* Blames, of contacts that touch, the one of the largest coefficient of friction; returns whether there is one that rubs. */
+/* Blames, of contacts that touch, the one of the largest coefficient of friction; returns whether
+   there is one that rubs. */
 static int blame_roughest(context *c)
 {
     double most = 0.0;
     for (int32_t i = 0; i < n_contacts(c->m); i++) {
         const int32_t f = c->m->contact_friction[i];
-        if (f < 0 || !(gap_of(c, i) <= gap_tolerance(c)) || !(c->number[c->m->sliding_at + f] > most)) continue;
+        if (f < 0 || !(gap_of(c, i) <= gap_tolerance(c))
+            || !(c->number[c->m->sliding_at + f] > most))
+            continue;
         most = c->number[c->m->sliding_at + f];
         blame(c, c->m->contact_row[i]);
     }
     return most > 0.0;
 }
 
-/* Modes of contacts at the start. Forces were found without contacts: where with them there are none, or none that are finite, friction
-   is so strong that no modes agree with it. */
+/* Modes of contacts at the start. Forces were found without contacts: where with them there are
+   none, or none that are finite, friction is so strong that no modes agree with it. */
 static int32_t start_contacts(context *c, const double *state)
 {
     int32_t status = refuse_penetration(c);
     if (!status) status = begin_contacts(c);
     if (!status && !all_finite(state, c->state_size)) status = HOLONOM_NOT_FINITE;
-    if ((status == HOLONOM_SINGULAR_TANGENT || status == HOLONOM_NOT_FINITE) && blame_roughest(c)) status = HOLONOM_CONTACT_UNDECIDED;
+    if ((status == HOLONOM_SINGULAR_TANGENT || status == HOLONOM_NOT_FINITE) && blame_roughest(c))
+        status = HOLONOM_CONTACT_UNDECIDED;
     if (status) c->s.head[S_AT_FAULT] = c->at_fault;
     return status;
 }
 
-HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state, double *work,
-                                     holonom_watch *watch)
+HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state,
+                                     double *work, holonom_watch *watch)
 {
     context c;
     open_context(&c, m, number, state, work);
@@ -328,7 +360,8 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     double *head = c.s.head;
     memset(head + S_KINETIC_START, 0, sizeof(double) * (S_STEP_SIZE - S_KINETIC_START));
     memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
-    memset(c.s.inputs_slope, 0, (size_t)((char *)c.s.parameters - (char *)c.s.inputs_slope)); /* of islands, too */
+    memset(c.s.inputs_slope, 0,
+           (size_t)((char *)c.s.parameters - (char *)c.s.inputs_slope)); /* of islands, too */
     take_initial(&c);
     derive_extent(&c);
     if (m->sensing) sense(&c, 0.0, 0);
@@ -343,7 +376,8 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     int32_t status = derive_scales(&c);
     memcpy(c.s.derived, number + m->extent_at, derived_bytes(m));
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
-    else if (!status && (m->n_signals || m->fits_velocities)) status = make_velocities_consistent(&c, 1); /* those not given follow */
+    else if (!status && (m->n_signals || m->fits_velocities))
+        status = make_velocities_consistent(&c, 1); /* those not given follow */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (watch && watch->is_stopped) return HOLONOM_STOPPED;
     settle_sides(&c, head[S_TIME], 0); /* where it has come to */

@@ -1,4 +1,5 @@
-/* Start of a run: scales of the rows, first accelerations and multipliers, closing a mechanism, its equilibrium. */
+/* Start of a run: scales of the rows, first accelerations and multipliers, closing a mechanism, its
+   equilibrium. */
 #ifndef HOLONOM_START_H
 #define HOLONOM_START_H
 
@@ -11,7 +12,8 @@ static int all_finite(const double *x, int64_t n)
     return 1;
 }
 
-/* Links, quantities, rows and signals of the islands at hand at the state, for a step that has not begun: d = w = mu = lambda = 0. */
+/* Links, quantities, rows and signals of the islands at hand at the state, for a step that has not
+   begun: d = w = mu = lambda = 0. */
 static void stand_still(context *c)
 {
     links_at_start(c);
@@ -27,10 +29,12 @@ static void stand_still(context *c)
 static const double *place_of_point(const context *c, int32_t a)
 {
     if (c->m->node_kind[a]) return NULL;
-    return a < c->n_moving ? c->s.q + DIM * a : c->number + c->m->support_at + DIM * (a - c->n_moving);
+    return a < c->n_moving ? c->s.q + DIM * a
+                           : c->number + c->m->support_at + DIM * (a - c->n_moving);
 }
 
-/* Distance of points that round-off of their coordinates, or of the numbers that these are drawn from, explains [m]. */
+/* Distance of points that round-off of their coordinates, or of the numbers that these are drawn
+   from, explains [m]. */
 static double round_off_of_drawing(const context *c)
 {
     double farthest = 0.0;
@@ -58,7 +62,8 @@ static void derive_extent(context *c)
     EACH(k) extent2 += high[k] > low[k] ? hm_square(high[k] - low[k]) : 0.0;
     if (!(extent2 > hm_square(round_off_of_drawing(c)))) extent2 = 0.0;
     if (mass > 0.0) extent2 += gyration / mass;
-    else if (gyration > 0.0) mass = gyration; /* pivoted bodies alone: their inertia, with unit arms */
+    else if (gyration > 0.0)
+        mass = gyration;                 /* pivoted bodies alone: their inertia, with unit arms */
     if (!(extent2 > 0.0)) extent2 = 1.0; /* all in one place: nothing tells a size */
     c->number[m->extent_at] = sqrt(extent2);
     c->number[m->extent_at + 1] = sqrt(mass * extent2);
@@ -80,8 +85,10 @@ static int32_t add_function_sigmas(const context *c, double *sigma)
         local_gradients(&step, j);
         for (int32_t k = 0; k < DIM * size; k++) {
             double g = 0.0;
-            for (int32_t f = 0; f < forms; f++) g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
-            sigma[row_of(c, j)] += g * g / node_mass[m->composite_node[m->composite_node_ptr[j] + k / DIM]];
+            for (int32_t f = 0; f < forms; f++)
+                g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
+            sigma[row_of(c, j)] +=
+                g * g / node_mass[m->composite_node[m->composite_node_ptr[j] + k / DIM]];
         }
     }
     return HOLONOM_OK;
@@ -89,7 +96,8 @@ static int32_t add_function_sigmas(const context *c, double *sigma)
 
 #define VANISHING 1e-8 /* gradient over that of a row of this scale which counts as none */
 
-/* sigma_i = (G M^-1 G')_ii with the nodes' shares of the mass, for the scaling of the penalties; scales. */
+/* sigma_i = (G M^-1 G')_ii with the nodes' shares of the mass, for the scaling of the penalties;
+   scales. */
 static int32_t derive_scales(context *c)
 {
     const holonom_model *m = c->m;
@@ -114,19 +122,22 @@ static int32_t derive_scales(context *c)
     const int32_t status = add_function_sigmas(c, sigma);
     if (status) return status;
     for (int32_t i = 0; i < m->n_rows; i++) {
-        const double size2 = hm_square(c->number[m->extent_at + 1]), usual = scale[i] * scale[i] / (size2 > 0.0 ? size2 : 1.0);
+        const double size2 = hm_square(c->number[m->extent_at + 1]),
+                     usual = scale[i] * scale[i] / (size2 > 0.0 ? size2 : 1.0);
         /* A gradient that vanishes here, but for rounding errors, need not do so later. */
         if (!(sigma[i] > hm_square(VANISHING) * usual)) sigma[i] = usual;
     }
     return HOLONOM_OK;
 }
 
-/* Velocity that momenta of 1 give a node of 1 kg where rows and drivers leave it none: round-off. */
+/* Velocity that momenta of 1 give a node of 1 kg where rows and drivers leave it none:
+   round-off. */
 #define NO_FREEDOM 1e-9
 
 #define AT_STATE_PENALTY 1e8
 
-/* Context of the equations of solve_at_state, with links at the present state: a tangent without a step. */
+/* Context of the equations of solve_at_state, with links at the present state: a tangent without a
+   step. */
 static context rows_at_state(const context *c)
 {
     context rows = *c;
@@ -137,7 +148,8 @@ static context rows_at_state(const context *c)
     rows.row = c->all_row, rows.composite = c->all_composite;
     rows.rows = c->all_rows, rows.composites = c->all_composites;
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
-    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = 1.0 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
+    for (int32_t i = 0; i < c->m->n_rows; i++)
+        c->k.epsilon[i] = 1.0 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
     return rows;
 }
 
@@ -150,14 +162,16 @@ static int32_t factorise_at_state(const context *c, const double *weight)
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
-        EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += (both - 1.0) * c->number[m->mass_at + e];
+        EACH(k)
+            c->k.value[m->full.mass_slot[DIM * e + k]] += (both - 1.0) * c->number[m->mass_at + e];
     }
     return factorise_matrix(&rows);
 }
 
-/* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the present links; a sliding
-   row has mu - (that of its cone) = g instead. f is `momentum`, g is `phi` (both not modified); x in rhs order
-   of the unknowns; regularised and iterated so that dependent rows do no harm.                                  */
+/* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the
+   present links; a sliding row has mu - (that of its cone) = g instead. f is `momentum`, g is `phi`
+   (both not modified); x in rhs order of the unknowns; regularised and iterated so that dependent
+   rows do no harm. */
 static void solve_with_factors(const context *c)
 {
     const holonom_model *m = c->m;
@@ -172,7 +186,8 @@ static void solve_with_factors(const context *c)
         largest = change = 0.0;
         for (int32_t i = 0; i < m->n_rows; i++) {
             const double mu = c->k.rhs[m->full.row_position[i]];
-            change = fmax(change, c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */
+            change = fmax(change,
+                          c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */
             largest = fmax(largest, c->k.epsilon[i] * fabs(mu));
             c->k.mu[i] = mu;
         }
@@ -197,16 +212,18 @@ static int32_t solve_at_state(const context *c, const double *weight)
 }
 
 /* Adds to momentum a force along the leaf `entry` of composite j. */
-static void add_leaf_force(const context *at, int32_t j, const int32_t *entry, const leaf_state *leaf, double force)
+static void add_leaf_force(const context *at, int32_t j, const int32_t *entry,
+                           const leaf_state *leaf, double force)
 {
     for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
         const local_form *local = (const local_form *)at->k.local + entry[2 + i];
-        add_gradient(at, at->m->composite_form[at->m->composite_form_ptr[j] + entry[2 + i]], force * leaf->p[i], local->um, local->wm,
-                     at->k.momentum);
+        add_gradient(at, at->m->composite_form[at->m->composite_form_ptr[j] + entry[2 + i]],
+                     force * leaf->p[i], local->um, local->wm, at->k.momentum);
     }
 }
 
-/* Adds to momentum the forces of elements with these coefficients at rates of what they measure in the motion x. */
+/* Adds to momentum the forces of elements with these coefficients at rates of what they measure in
+   the motion x. */
 static int32_t add_forces_of_elements(const context *at, int64_t coefficient_at, const double *x)
 {
     const holonom_model *m = at->m;
@@ -268,23 +285,27 @@ HM_SELDOM static double second_rate(const context *c, int32_t j)
     if (kind == QUANTITY_FORM) return bend[0];
     const double size2 = s[0] * s[0] + s[1] * s[1];
     if (!(size2 > 0.0)) return 0.0;
-    if (kind == QUANTITY_LENGTH) return (0.5 * bend[0] - 0.25 * rate[0] * rate[0] / s[0]) / sqrt(s[0]);
+    if (kind == QUANTITY_LENGTH)
+        return (0.5 * bend[0] - 0.25 * rate[0] * rate[0] / s[0]) / sqrt(s[0]);
     const double turning = (s[0] * rate[1] - s[1] * rate[0]) / size2;
-    return (s[0] * bend[1] - s[1] * bend[0] - 2.0 * turning * (s[0] * rate[0] + s[1] * rate[1])) / size2;
+    return (s[0] * bend[1] - s[1] * bend[0] - 2.0 * turning * (s[0] * rate[0] + s[1] * rate[1]))
+           / size2;
 }
 
-/* Bias of row j, a function or velocity row: its second derivative at constant velocities, of a velocity row the first.
-   Rates of signals are `signal_rate`, their second derivatives `signal_bend`. `before`: the row whose bias was computed last, at the
-   same state; -1: any. */
+/* Bias of row j, a function or velocity row: its second derivative at constant velocities, of a
+   velocity row the first. Rates of signals are `signal_rate`, their second derivatives
+   `signal_bend`. `before`: the row whose bias was computed last, at the same state; -1: any. */
 HM_SELDOM static double next_bias(const context *c, int32_t before, int32_t j)
 {
     const holonom_model *m = c->m;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
     hm_jet *x = (hm_jet *)c->k.leaves;
-    if (is_next_slip(c, before, j, SLOPES_ALONE)) return function_jet(c, j, m->function_known[j - first_function(c)], x, NULL).rate;
+    if (is_next_slip(c, before, j, SLOPES_ALONE))
+        return function_jet(c, j, m->function_known[j - first_function(c)], x, NULL).rate;
     for (int32_t l = 0; l < n; l++, entry += 4) {
         const int32_t q = entry[1];
-        if (entry[0] == LEAF_SIGNAL) x[l] = (hm_jet){c->s.signal[q], c->k.signal_rate[q], c->k.signal_bend[q]};
+        if (entry[0] == LEAF_SIGNAL)
+            x[l] = (hm_jet){c->s.signal[q], c->k.signal_rate[q], c->k.signal_bend[q]};
         else {
             x[l].value = quantity_at(c, q, c->s.q, c->s.q_low, c->s.v, &x[l].rate);
             x[l].bend = second_rate(c, q);
@@ -297,7 +318,8 @@ HM_SELDOM static double next_bias(const context *c, int32_t before, int32_t j)
 
 static double bias_of(const context *c, int32_t j) { return next_bias(c, -1, j); }
 
-/* Likewise, less the value of a velocity row at rest, which belongs to G a where that is the row of a. */
+/* Likewise, less the value of a velocity row at rest, which belongs to G a where that is the row of
+   a. */
 HM_SELDOM static double bias_of_row(const context *c, int32_t j)
 {
     double *rest = c->k.ahead;
@@ -307,7 +329,8 @@ HM_SELDOM static double bias_of_row(const context *c, int32_t j)
     return bias_of(c, j) - own + (is_unilateral(c->m) ? c->k.drift[row_of(c, j)] : 0.0);
 }
 
-/* Rates of the slips of frictions by numbers that change with time, such as the speed of a surface (drift).      */
+/* Rates of the slips of frictions by numbers that change with time, such as the speed of a surface
+   (drift). */
 HM_SELDOM static void find_drifts(context *c)
 {
     const holonom_model *m = c->m;
@@ -315,14 +338,16 @@ HM_SELDOM static void find_drifts(context *c)
     hm_jet *x = (hm_jet *)c->k.leaves;
     memset(c->k.drift, 0, sizeof(double) * (size_t)m->n_rows);
     if (!m->time_dependent || !n_frictions(m)) return;
-    memset(c->k.jet, 0, sizeof(double) * (size_t)(2 * m->n_numbers)); /* frictions may read any of them */
+    memset(c->k.jet, 0,
+           sizeof(double) * (size_t)(2 * m->n_numbers)); /* frictions may read any of them */
     load_jets(c, t, 1);
     hm_run_jets(m, c->number, 1, c->k.jet);
     for (int32_t k = 0; k < m->friction_row_ptr[n_frictions(m)]; k++) {
         const int32_t j = m->friction_row[k], *entry = m->leaf + 4 * m->leaf_ptr[j];
         for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++, entry += 4) {
             const int is_signal = entry[0] == LEAF_SIGNAL, is_value = entry[0] == LEAF_VALUE;
-            x[l] = (hm_jet){is_signal ? c->s.signal[entry[1]] : 0.0, 0.0, 0.0}; /* rates are 0: the mechanism rests */
+            x[l] = (hm_jet){is_signal ? c->s.signal[entry[1]] : 0.0, 0.0,
+                            0.0}; /* rates are 0: the mechanism rests */
             if (is_value) x[l].value = quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
         }
         c->k.drift[row_of(c, j)] = function_jet(c, j, 0, x, c->k.jet).rate;
@@ -330,8 +355,8 @@ HM_SELDOM static void find_drifts(context *c)
     set_laws(c, t, 0); /* as they are now, not just after a jump */
 }
 
-/* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes in w. Signals are as they go on
-   from now: drivers may have a kink at the start. */
+/* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes
+   in w. Signals are as they go on from now: drivers may have a kink at the start. */
 HM_SELDOM static void row_biases(context *c)
 {
     const holonom_model *m = c->m;
@@ -345,16 +370,18 @@ HM_SELDOM static void row_biases(context *c)
         link_of(c, m->row_form[i], c->s.v, vu, vw);
         bias[i] = 2.0 * dot(vu, vw); /* v'Hv */
     }
-    memcpy(c->k.w + DIM * m->n_free, c->k.signal_bend, sizeof(double) * (size_t)(DIM * m->n_driven));
+    memcpy(c->k.w + DIM * m->n_free, c->k.signal_bend,
+           sizeof(double) * (size_t)(DIM * m->n_driven));
 }
 
 HM_SELDOM static void forget_dependent_rows(context *c)
 {
-    for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
+    for (int32_t island = 0; island < c->m->n_islands; island++)
+        c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
 }
 
-/* The largest eigenvalue of P (contract_multipliers): what the last of four updates leaves of random multipliers. Rows that are off
-   keep theirs whatever moves, and do not count. */
+/* The largest eigenvalue of P (contract_multipliers): what the last of four updates leaves of
+   random multipliers. Rows that are off keep theirs whatever moves, and do not count. */
 static double left_by_updates(const context *c)
 {
     double *x = c->k.row_bias, size2 = 0.0, left2 = 0.0;
@@ -372,30 +399,35 @@ static double left_by_updates(const context *c)
     return size2 > 0.0 ? sqrt(left2 / size2) : 0.0;
 }
 
-/* Whether a row's pivot, by factors lu at the state, is no more than a hundred times that of a dependent row, epsilon. */
+/* Whether a row's pivot, by factors lu at the state, is no more than a hundred times that of a
+   dependent row, epsilon. */
 static int has_small_pivot(const context *c, const holonom_elimination *lu)
 {
     EACH_ROW(c, i)
-        if (state_of_multiplier(c, i) == ROW_IS_ON && !(fabs(c->k.value[lu->lu_ptr[lu->row_position[i]]]) < 1e6 / c->number[c->m->row_sigma_at + i]))
+        if (state_of_multiplier(c, i) == ROW_IS_ON
+            && !(fabs(c->k.value[lu->lu_ptr[lu->row_position[i]]])
+                 < 1e6 / c->number[c->m->row_sigma_at + i]))
             return 1;
     return 0;
 }
 
-/* Updates leave all of what dependent rows do not determine. A chain of 1e4 bars between two nails has pivots as small, but they
-   leave .17 of its multipliers: its rows are independent, and a larger penalty serves them.                       */
+/* Updates leave all of what dependent rows do not determine. A chain of 1e4 bars between two nails
+   has pivots as small, but they leave .17 of its multipliers: its rows are independent, and a
+   larger penalty serves them. */
 #define LEFT_OF_DEPENDENT_ROWS 0.5
 
-/* Lets these equations have turns of bodies for unknowns; directors are those of the state. A context has pointers to its own
-   parts: it is not to be returned from here on. */
+/* Lets these equations have turns of bodies for unknowns; directors are those of the state. A
+   context has pointers to its own parts: it is not to be returned from here on. */
 static void take_turns(context *rows, int turns)
 {
     use_unknowns(rows, turns);
     stand_still_as_bodies(rows);
 }
 
-/* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties of the others. With
-   coordinates of directors as unknowns, rows of joints that one director alone carries would look dependent: where there are
-   bodies, their turns are the unknowns. Takes from multipliers mu (n_rows, modified), if any, what dependent rows do not determine, as steps do:
+/* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties
+   of the others. With coordinates of directors as unknowns, rows of joints that one director alone
+   carries would look dependent: where there are bodies, their turns are the unknowns. Takes from
+   multipliers mu (n_rows, modified), if any, what dependent rows do not determine, as steps do:
    `accelerations` shares it with rows of rigidity. */
 static void judge_rows(const context *c, double *mu)
 {
@@ -413,7 +445,8 @@ static void judge_rows(const context *c, double *mu)
     }
 }
 
-/* Whether the friction of a joint slides: its cone turns with the multipliers that it is made from. */
+/* Whether the friction of a joint slides: its cone turns with the multipliers that it is made
+   from. */
 HM_SELDOM static int has_sliding_joint(const context *c)
 {
     for (int32_t f = 0; f < n_frictions(c->m); f++)
@@ -423,7 +456,8 @@ HM_SELDOM static int has_sliding_joint(const context *c)
 
 #define REFINED 1e-14
 
-/* Whether a refinement has changed multipliers mu, to which it has been added, by rounding alone. */
+/* Whether a refinement has changed multipliers mu, to which it has been added, by rounding
+   alone. */
 HM_SELDOM static int is_refined(const context *c, const double *mu)
 {
     double size2 = 0.0, change2 = 0.0; /* sums, which hand on what is no number */
@@ -434,8 +468,8 @@ HM_SELDOM static int is_refined(const context *c, const double *mu)
     return change2 <= REFINED * REFINED * size2;
 }
 
-/* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined with the factors
-   at hand: light directions cost digits. */
+/* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a =
+   -bias, refined with the factors at hand: light directions cost digits. */
 HM_SELDOM static int32_t accelerations(context *c, double *mu)
 {
     const holonom_model *m = c->m;
@@ -453,7 +487,8 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
         if ((status = forces_at_state(c))) return status;
         row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
         for (int32_t i = 0; i < m->n_rows; i++)
-            c->k.phi[i] = state_of_multiplier(c, i) == ROW_IS_SLIDING ? c->k.lambda[i] - mu[i] : c->k.row_bias[i] + rate[i];
+            c->k.phi[i] = state_of_multiplier(c, i) == ROW_IS_SLIDING ? c->k.lambda[i] - mu[i]
+                                                                      : c->k.row_bias[i] + rate[i];
         if ((refinement == 0 || turns) && (status = factorise_at_state(c, NULL))) return status;
         memset(c->k.mu, 0, rows);
         solve_with_factors(c);
@@ -465,8 +500,8 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
     return status;
 }
 
-/* Marks nodes to which rows and drivers leave a motion of their own: those that momenta of all of them move. What drivers move alone is
-   where it has to be in steps of any length. */
+/* Marks nodes to which rows and drivers leave a motion of their own: those that momenta of all of
+   them move. What drivers move alone is where it has to be in steps of any length. */
 HM_SELDOM static void find_freedom(context *c)
 {
     const holonom_model *m = c->m;
@@ -477,17 +512,20 @@ HM_SELDOM static void find_freedom(context *c)
     memset(c->k.phi, 0, sizeof(double) * (size_t)m->n_rows);
     memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t k = 0; k < DIM * m->n_free; k++) /* in no simple relation to each other */
-        c->k.momentum[k] = sqrt(c->number[m->node_mass_at + k / DIM]) * (1.0 + 0.618 * k - floor(0.618 * k));
+        c->k.momentum[k] =
+            sqrt(c->number[m->node_mass_at + k / DIM]) * (1.0 + 0.618 * k - floor(0.618 * k));
     if (factorise_at_state(c, NULL)) return;
     solve_for(c, x);
     for (int32_t a = 0; a < m->n_free; a++)
-        c->s.freedom[a] = c->number[m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a) > hm_square(NO_FREEDOM);
+        c->s.freedom[a] =
+            c->number[m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a) > hm_square(NO_FREEDOM);
 }
 
 static int32_t first_multipliers(context *c)
 {
     const holonom_model *m = c->m;
-    const size_t rows = sizeof(double) * (size_t)m->n_rows, driven = sizeof(double) * (size_t)(DIM * m->n_driven);
+    const size_t rows = sizeof(double) * (size_t)m->n_rows,
+                 driven = sizeof(double) * (size_t)(DIM * m->n_driven);
     double *mu = c->s.mu[0];
     int32_t status = accelerations(c, mu);
     if (status) return status;
@@ -497,9 +535,11 @@ static int32_t first_multipliers(context *c)
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.a[1], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t b = 0; b < n_bodies(m); b++) common_turn(c, m->body_node[b], c->k.w + DIM * m->body_node[b], c->s.turn[0] + TURNING * b);
+    for (int32_t b = 0; b < n_bodies(m); b++)
+        common_turn(c, m->body_node[b], c->k.w + DIM * m->body_node[b], c->s.turn[0] + TURNING * b);
     memcpy(c->s.turn[1], c->s.turn[0], sizeof(double) * (size_t)(TURNING * n_bodies(m)));
-    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k];
+    for (int32_t k = 0; k < DIM * m->n_driven; k++)
+        c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k];
     memcpy(c->s.driven[1], c->s.driven[0], driven);
     memcpy(c->s.driven_mean, c->s.driven[0], driven);
     memcpy(c->s.driven_mean_before, c->s.driven[0], driven);

@@ -1,5 +1,5 @@
-/* Function rows, velocity rows and potentials: functions of quantities, rates and signals on the tape of
-   operations. */
+/* Function rows, velocity rows and potentials: functions of quantities, rates and signals on the
+   tape of operations. */
 #ifndef HOLONOM_FUNCTION_H
 #define HOLONOM_FUNCTION_H
 
@@ -7,8 +7,8 @@
 
 enum register_mode { OVER_STEP, AT_END };
 
-/* Fills the registers of the leaves: values at both ends. A velocity row is a point function of mean quantities
-   and mean rates. A signal is known at both ends.                                                            */
+/* Fills the registers of the leaves: values at both ends. A velocity row is a point function of
+   mean quantities and mean rates. A signal is known at both ends. */
 HM_OFTEN void load_registers(const context *c, int32_t j, int mode)
 {
     const holonom_model *m = c->m;
@@ -18,7 +18,8 @@ HM_OFTEN void load_registers(const context *c, int32_t j, int mode)
     for (int32_t at = m->leaf_ptr[j], l = 0; at < m->leaf_ptr[j + 1]; at++, l++) {
         const int32_t *entry = m->leaf + 4 * at;
         if (entry[0] == LEAF_SIGNAL) {
-            r->r0[l] = is_seeking(c) || mode == AT_END ? c->k.signal1[entry[1]] : c->s.signal[entry[1]];
+            r->r0[l] =
+                is_seeking(c) || mode == AT_END ? c->k.signal1[entry[1]] : c->s.signal[entry[1]];
             r->r1[l] = c->k.signal1[entry[1]];
             r->dr[l] = r->r1[l] - r->r0[l];
         } else if (entry[0] == LEAF_RATE) {
@@ -39,8 +40,10 @@ HM_OFTEN void load_registers(const context *c, int32_t j, int mode)
 HM_OFTEN void load_means(const context *c, int32_t j)
 {
     const leaf_state *leaf = (const leaf_state *)c->k.leaves;
-    const int32_t *entry = c->m->leaf + 4 * c->m->leaf_ptr[j], *end = c->m->leaf + 4 * c->m->leaf_ptr[j + 1];
-    for (double *x = c->k.r.r0; entry < end; entry += 4, leaf++) *x++ = entry[0] == LEAF_RATE ? leaf->dx / c->h : leaf->x0 + 0.5 * leaf->dx;
+    const int32_t *entry = c->m->leaf + 4 * c->m->leaf_ptr[j],
+                  *end = c->m->leaf + 4 * c->m->leaf_ptr[j + 1];
+    for (double *x = c->k.r.r0; entry < end; entry += 4, leaf++)
+        *x++ = entry[0] == LEAF_RATE ? leaf->dx / c->h : leaf->x0 + 0.5 * leaf->dx;
 }
 
 /* Runs function j; returns the register of its value. */
@@ -52,20 +55,23 @@ static int32_t run_function(const context *c, int32_t j)
                                 m->function_ptr[f + 1] - begin, c->number, &c->k.r);
 }
 
-/* Likewise of a velocity row, which is a function of one point, with its slopes with respect to rates alone or, for a tangent, to
-   all; `is_next`: the registers are those of the row before, which has the same leaves. */
+/* Likewise of a velocity row, which is a function of one point, with its slopes with respect to
+   rates alone or, for a tangent, to all; `is_next`: the registers are those of the row before,
+   which has the same leaves. */
 static int32_t run_velocity_row(const context *c, int32_t j, int asked, int is_next)
 {
     const holonom_model *m = c->m;
-    const int32_t f = j - first_function(c), begin = m->function_ptr[f], count = m->function_ptr[f + 1] - begin;
+    const int32_t f = j - first_function(c), begin = m->function_ptr[f],
+                  count = m->function_ptr[f + 1] - begin;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *op = m->operation + 4 * begin;
     hm_value(op, n, count, is_next ? m->function_known[f] : 0, c->number, c->k.r.r0);
     hm_gradient(op, n, count, asked ? 0 : m->function_still[f], c->number, &c->k.r);
     return n + count - 1;
 }
 
-/* A damped potential U = K delta^(n+1)/(n+1) acts with 1 + x times its slopes, x = max(-1, a ddelta/h) (Hunt and
-   Crossley 1975): it never pulls, and takes x dU >= 0 out exactly. At the equilibrium it is not damped. This is x. */
+/* A damped potential U = K delta^(n+1)/(n+1) acts with 1 + x times its slopes, x = max(-1, a
+   ddelta/h) (Hunt and Crossley 1975): it never pulls, and takes x dU >= 0 out exactly. At the
+   equilibrium it is not damped. This is x. */
 static double damping_share(const context *c, int32_t j, double rate_of_depth)
 {
     return fmax(-1.0, c->number[c->m->depth_damping_at + (j - first_potential(c))] * rate_of_depth);
@@ -87,12 +93,14 @@ static inline void damp_slopes(const context *c, int32_t j)
 {
     if (!is_damped(c, j) || is_seeking(c)) return;
     const double factor = 1.0 + damping_share_of_step(c, j);
-    for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++) c->k.r.adjoint[l] *= factor;
+    for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++)
+        c->k.r.adjoint[l] *= factor;
 }
 
-/* Jet of function j, whose leaves begin its registers x and whose first `known` operations have their results there; numbers stand
-   still, or move as `jet` says. */
-HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, int32_t known, hm_jet *x, const double *jet)
+/* Jet of function j, whose leaves begin its registers x and whose first `known` operations have
+   their results there; numbers stand still, or move as `jet` says. */
+HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, int32_t known, hm_jet *x,
+                                     const double *jet)
 {
     const holonom_model *m = c->m;
     const int32_t f = j - first_function(c);
@@ -103,10 +111,12 @@ HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, int32_t known,
         for (int i = 0; i < 3; i++) {
             const int32_t number = -1 - op[1 + i];
             argument[i] = number < 0 ? x[op[1 + i]] : (hm_jet){c->number[number], 0.0, 0.0};
-            if (number >= 0 && jet) argument[i].rate = jet[2 * number], argument[i].bend = jet[2 * number + 1];
+            if (number >= 0 && jet)
+                argument[i].rate = jet[2 * number], argument[i].bend = jet[2 * number + 1];
         }
         x[l] = op[0] < T_SPLINE ? hm_operate_jet(op[0], argument[0], argument[1], argument[2])
-                                : hm_look_up_jet(op[0], op[1] < 0 ? argument : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
+                                : hm_look_up_jet(op[0], op[1] < 0 ? argument : x + op[1],
+                                                 c->number - 1 - op[2], c->number - 1 - op[3]);
     }
     return x[l - 1];
 }
@@ -117,30 +127,37 @@ HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *po
     const int32_t *entry = c->m->leaf + 4 * c->m->leaf_ptr[j];
     hm_jet *x = (hm_jet *)c->k.leaves;
     for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++, entry += 4)
-        x[l].bend = 0.0, x[l].value = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &x[l].rate);
+        x[l].bend = 0.0,
+        x[l].value = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &x[l].rate);
     *power = function_jet(c, j, 0, x, NULL).rate;
     return damping_share(c, j, x[c->m->depth_register[j - first_potential(c)]].rate);
 }
 
-/* ---------------------------------------------------------------------------------------------- slopes */
+/* --------------------------------------------------------------------------------------- slopes */
 
-/* Whether function j is linear in its leaves, as most drivers and gears are: its slopes are the same everywhere. */
+/* Whether function j is linear in its leaves, as most drivers and gears are: its slopes are the
+   same everywhere. */
 static int is_linear(const context *c, int32_t j)
 {
     const int32_t f = j - first_function(c);
-    const int32_t *op = c->m->operation + 4 * c->m->function_ptr[f], *end = c->m->operation + 4 * c->m->function_ptr[f + 1];
+    const int32_t *op = c->m->operation + 4 * c->m->function_ptr[f],
+                  *end = c->m->operation + 4 * c->m->function_ptr[f + 1];
     for (; op < end; op += 4) {
         const int is_sum = op[0] == T_ADD || op[0] == T_SUB || op[0] == T_NEG;
-        if (!is_sum && !(op[0] == T_MUL && (op[1] < 0 || op[2] < 0)) && !(op[0] == T_DIV && op[2] < 0)) return 0;
+        if (!is_sum && !(op[0] == T_MUL && (op[1] < 0 || op[2] < 0))
+            && !(op[0] == T_DIV && op[2] < 0))
+            return 0;
     }
     return !is_damped(c, j);
 }
 
-/* Whether function j takes the same values over the step and at its end: its slopes at the end are those over the step. */
-static int is_point_function(const context *c, int32_t j) { return is_velocity_row(c, j) && !has_signal(c, j); }
+/* Whether function j takes the same values over the step and at its end: its slopes at the end are
+   those over the step. */
+static int is_point_function(const context *c, int32_t j)
+{ return is_velocity_row(c, j) && !has_signal(c, j); }
 
-/* Derivatives of the leaves' slopes with respect to the leaves at the end, by central differences, n x n into
-   `matrix`: only the rate of Newton's iteration depends on them.                                              */
+/* Derivatives of the leaves' slopes with respect to the leaves at the end, by central differences,
+   n x n into `matrix`: only the rate of Newton's iteration depends on them. */
 static void differentiate_slopes(const context *c, int32_t j, double *matrix)
 {
     const holonom_model *m = c->m;
@@ -155,10 +172,14 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
         for (int side = 0; side < 2; side++) {
             if (at_mean) load_means(c, j);
             else load_registers(c, j, OVER_STEP);
-            const double delta = 1e-6 * (fabs(r->r0[k]) + fabs(at_mean ? r->r0[k] : r->r1[k]) + 1e-2 * (1.0 + c->number[m->extent_at]));
+            const double delta = 1e-6
+                                 * (fabs(r->r0[k]) + fabs(at_mean ? r->r0[k] : r->r1[k])
+                                    + 1e-2 * (1.0 + c->number[m->extent_at]));
             const double shift = side ? -delta : delta;
             if (is_velocity || is_seeking(c)) r->r0[k] += shift;
-            if (at_mean) run_velocity_row(c, j, 0, 0); /* slopes of leaves that are no rates are not asked for */
+            if (at_mean)
+                run_velocity_row(c, j, 0,
+                                 0); /* slopes of leaves that are no rates are not asked for */
             else {
                 r->r1[k] += shift;
                 if (!is_velocity && !is_seeking(c)) r->dr[k] += shift;
@@ -171,12 +192,14 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
     }
 }
 
-/* curve_fg = d slope_f/d s_g at the end, and end_g = d C/d s_g. Without `matrix` slopes do not depend on the leaves. */
+/* curve_fg = d slope_f/d s_g at the end, and end_g = d C/d s_g. Without `matrix` slopes do not
+   depend on the leaves. */
 static void function_tangent(const context *c, int32_t j, const double *matrix)
 {
     const holonom_model *m = c->m;
     const leaf_state *leaf = (const leaf_state *)c->k.leaves;
-    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j],
+                  forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
     const int is_velocity = is_velocity_row(c, j);
     memset(c->k.curve, 0, sizeof(double) * (size_t)(forms * forms));
     memset(c->k.end, 0, sizeof(double) * (size_t)forms);
@@ -189,21 +212,25 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
         if (is_velocity && a[0] == LEAF_VALUE) continue; /* forces act along the rates */
         for (int f = 0; f < 2 && a[2 + f] >= 0; f++)
             for (int g = 0; g < 2 && a[2 + g] >= 0; g++)
-                c->k.curve[forms * a[2 + f] + a[2 + g]] += c->k.r.adjoint[l] * leaf[l].curve[2 * f + g];
+                c->k.curve[forms * a[2 + f] + a[2 + g]] +=
+                    c->k.r.adjoint[l] * leaf[l].curve[2 * f + g];
         for (int32_t k = 0; k < n && matrix; k++) {
             const int32_t *b = m->leaf + 4 * (m->leaf_ptr[j] + k);
             if (b[0] != LEAF_VALUE || matrix[n * l + k] == 0.0) continue;
             for (int f = 0; f < 2 && a[2 + f] >= 0; f++)
                 for (int g = 0; g < 2 && b[2 + g] >= 0; g++)
-                    c->k.curve[forms * a[2 + f] + b[2 + g]] += leaf[l].p[f] * matrix[n * l + k] * leaf[k].e[g];
+                    c->k.curve[forms * a[2 + f] + b[2 + g]] +=
+                        leaf[l].p[f] * matrix[n * l + k] * leaf[k].e[g];
         }
     }
 }
 
-/* What is asked of a composite besides its slopes: derivatives of its value at the end, and of its slopes, too. */
+/* What is asked of a composite besides its slopes: derivatives of its value at the end, and of its
+   slopes, too. */
 enum { SLOPES_ALONE, WITH_ENDS, WITH_STIFFNESS };
 
-/* Leaves of function j, and what of a function that is not linear is asked for; a point function's slopes at the end come later. */
+/* Leaves of function j, and what of a function that is not linear is asked for; a point function's
+   slopes at the end come later. */
 static int32_t set_leaves(const context *c, int32_t j, int asked, int is_point, double *matrix)
 {
     const holonom_model *m = c->m;
@@ -223,33 +250,39 @@ static int32_t set_leaves(const context *c, int32_t j, int asked, int is_point, 
     return HOLONOM_OK;
 }
 
-/* Slopes of the forms, from those of the leaves in the registers; the part of the change by quantities. */
+/* Slopes of the forms, from those of the leaves in the registers; the part of the change by
+   quantities. */
 static double gather_slopes(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
     const leaf_state *leaf = (const leaf_state *)c->k.leaves;
     const double *slope = c->k.r.adjoint;
     double mechanical = 0.0;
-    memset(c->k.slope, 0, sizeof(double) * (size_t)(m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]));
+    memset(c->k.slope, 0,
+           sizeof(double) * (size_t)(m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]));
     const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j], *end = m->leaf + 4 * m->leaf_ptr[j + 1];
-    const int32_t left_out = is_velocity_row(c, j) ? LEAF_VALUE : LEAF_SIGNAL; /* forces act along the rates */
+    const int32_t left_out =
+        is_velocity_row(c, j) ? LEAF_VALUE : LEAF_SIGNAL; /* forces act along the rates */
     for (; entry < end; entry += 4, slope++, leaf++) {
         if (entry[0] == LEAF_SIGNAL || entry[0] == left_out) continue;
         mechanical += *slope * leaf->dx;
-        for (int f = 0; f < 2 && entry[2 + f] >= 0; f++) c->k.slope[entry[2 + f]] += *slope * leaf->p[f];
+        for (int f = 0; f < 2 && entry[2 + f] >= 0; f++)
+            c->k.slope[entry[2 + f]] += *slope * leaf->p[f];
     }
     return mechanical;
 }
 
-/* Slopes of function j over the step with respect to its forms; if asked for also curve and end. `is_next`: it has the leaves of the
-   function before, which has just been run. */
-static int32_t function_slopes(const context *c, int32_t j, int asked, int is_next, composite_result *result)
+/* Slopes of function j over the step with respect to its forms; if asked for also curve and end.
+   `is_next`: it has the leaves of the function before, which has just been run. */
+static int32_t function_slopes(const context *c, int32_t j, int asked, int is_next,
+                               composite_result *result)
 {
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
     const int is_velocity = is_point_function(c, j), straight = asked && is_linear(c, j);
     const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
     const int is_point = asked && !straight && is_velocity;
-    const int32_t status = is_next ? HOLONOM_OK : set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
+    const int32_t status =
+        is_next ? HOLONOM_OK : set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
     if (status) return status;
     if (!is_next && !is_velocity) load_registers(c, j, OVER_STEP);
     if (!is_next && is_velocity) load_means(c, j);
@@ -264,20 +297,24 @@ static int32_t function_slopes(const context *c, int32_t j, int asked, int is_ne
     return HOLONOM_OK;
 }
 
-/* Whether composite j, of which this is asked, may follow composite `before`, whose leaves it shares: those have been set at the same
-   place, and nothing since. */
+/* Whether composite j, of which this is asked, may follow composite `before`, whose leaves it
+   shares: those have been set at the same place, and nothing since. */
 static inline int is_next_slip(const context *c, int32_t before, int32_t j, int asked)
 {
-    return before >= 0 && before == j - 1 && asked != WITH_STIFFNESS && is_velocity_row(c, j) && c->m->function_known[j - first_function(c)] > 0;
+    return before >= 0 && before == j - 1 && asked != WITH_STIFFNESS && is_velocity_row(c, j)
+           && c->m->function_known[j - first_function(c)] > 0;
 }
 
-/* Slopes of composite j; a row's function value is that over phi_0. `is_next`: it follows as a slip does, is_next_slip. */
-static int32_t next_slopes(const context *c, int is_next, int32_t j, int asked, composite_result *result)
+/* Slopes of composite j; a row's function value is that over phi_0. `is_next`: it follows as a slip
+   does, is_next_slip. */
+static int32_t next_slopes(const context *c, int is_next, int32_t j, int asked,
+                           composite_result *result)
 {
     if (!is_next) set_local_forms(c, j, c->theta);
     if (j < first_function(c)) return element_law(c, j, asked, result);
     if (is_seeking(c) && is_velocity_row(c, j)) { /* velocities do not bind positions */
-        const size_t forms = (size_t)(c->m->composite_form_ptr[j + 1] - c->m->composite_form_ptr[j]);
+        const size_t forms =
+            (size_t)(c->m->composite_form_ptr[j + 1] - c->m->composite_form_ptr[j]);
         memset(result, 0, sizeof(*result));
         memset(c->k.slope, 0, sizeof(double) * forms);
         memset(c->k.end, 0, sizeof(double) * forms);
@@ -292,15 +329,18 @@ static int32_t composite_slopes(const context *c, int32_t j, int asked, composit
     return next_slopes(c, 0, j, asked, result);
 }
 
-/* Value of function j, without slopes, of the leaves in r0, where that many of its operations have their results. */
+/* Value of function j, without slopes, of the leaves in r0, where that many of its operations have
+   their results. */
 static double value_of_leaves(const context *c, int32_t j, int32_t known)
 {
     const holonom_model *m = c->m;
     const int32_t f = j - first_function(c), begin = m->function_ptr[f];
-    return hm_value(m->operation + 4 * begin, m->leaf_ptr[j + 1] - m->leaf_ptr[j], m->function_ptr[f + 1] - begin, known, c->number, c->k.r.r0);
+    return hm_value(m->operation + 4 * begin, m->leaf_ptr[j + 1] - m->leaf_ptr[j],
+                    m->function_ptr[f + 1] - begin, known, c->number, c->k.r.r0);
 }
 
-/* Value of function j, without slopes, of quantities at the beginning of the step or, where they are not known, at the state. */
+/* Value of function j, without slopes, of quantities at the beginning of the step or, where they
+   are not known, at the state. */
 static double value_of_function(const context *c, int32_t j, int are_known)
 {
     const holonom_model *m = c->m;
@@ -318,7 +358,9 @@ static double function_value(const context *c, int32_t j) { return value_of_func
 /* sigma0 becomes the quantities at the state, of the islands at hand. */
 static void quantities_at_state(const context *c)
 {
-    for IN_ISLAND(c, j, ISLAND_ACTIVE) c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
+    for
+        IN_ISLAND(c, j, ISLAND_ACTIVE)
+        c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
     EACH_NEAR(c, NEAR_ACTIVE, j, c->begin[ISLAND_TOUCHING_ACTIVE], c->end[ISLAND_TOUCHING_ACTIVE])
         c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
 }

@@ -1,8 +1,9 @@
 /* Cubic B-splines over a grid of cubes, of three coordinates, with continuous second derivatives.
 
-   A table of numbers is the origin (3), the length of a cube, the numbers of coefficients n along each axis (3), and the
-   coefficients, the last index first. Coefficient (i, j, k) belongs to the origin plus i - 1, j - 1, k - 1 cubes, so that
-   the spline stands from the origin to n - 3 cubes along each axis; beyond, the polynomials of the last cubes go on.   */
+   A table of numbers is the origin (3), the length of a cube, the numbers of coefficients n along
+   each axis (3), and the coefficients, the last index first. Coefficient (i, j, k) belongs to the
+   origin plus i - 1, j - 1, k - 1 cubes, so that the spline stands from the origin to n - 3 cubes
+   along each axis; beyond, the polynomials of the last cubes go on. */
 #include "small.h"
 
 #include "internal.h"
@@ -77,23 +78,29 @@ static double partial(const grid *g, const int *order, const int32_t *cube, cons
     for (int a = 0; a < AXES; a++) weigh_splines(order[a], u[a] - cube[a], w[a]);
     for (int i = 0; i < SUPPORT; i++)
         for (int j = 0; j < SUPPORT; j++) {
-            const double *c = g->coefficient + ((int64_t)(cube[0] + i) * g->count[1] + cube[1] + j) * g->count[2] + cube[2];
+            const double *c = g->coefficient
+                              + ((int64_t)(cube[0] + i) * g->count[1] + cube[1] + j) * g->count[2]
+                              + cube[2];
             for (int k = 0; k < SUPPORT; k++) sum += w[0][i] * w[1][j] * w[2][k] * c[k];
         }
     return sum;
 }
 
-/* Value and three slopes, per cube, of the polynomial of a cube, or of its derivative along `axis` (from 0). */
+/* Value and three slopes, per cube, of the polynomial of a cube, or of its derivative along `axis`
+   (from 0). */
 static void of_cube(const grid *g, int axis, const int32_t *cube, const double *u, double *found)
 {
     double w[AXES][2][SUPPORT];
     for (int a = 0; a < AXES; a++)
-        for (int slope = 0; slope < 2; slope++) weigh_splines((a == axis) + slope, u[a] - cube[a], w[a][slope]);
+        for (int slope = 0; slope < 2; slope++)
+            weigh_splines((a == axis) + slope, u[a] - cube[a], w[a][slope]);
     for (int i = 0; i <= AXES; i++) found[i] = 0.0;
     for (int i = 0; i < SUPPORT; i++) {
         double value = 0.0, along_y = 0.0, along_z = 0.0;
         for (int j = 0; j < SUPPORT; j++) {
-            const double *c = g->coefficient + ((int64_t)(cube[0] + i) * g->count[1] + cube[1] + j) * g->count[2] + cube[2];
+            const double *c = g->coefficient
+                              + ((int64_t)(cube[0] + i) * g->count[1] + cube[1] + j) * g->count[2]
+                              + cube[2];
             const double *z = w[2][0], *dz = w[2][1];
             const double line = z[0] * c[0] + z[1] * c[1] + z[2] * c[2] + z[3] * c[3];
             value += w[1][0][j] * line;
@@ -127,7 +134,8 @@ hm_jet hm_grid_jet(int derivative, const hm_jet *x, const double *first, const d
     if (!is_grid(first, last, &g)) return y;
     for (int a = 0; a < AXES; a++) place[a] = x[a].value;
     locate(&g, place, u, cube);
-    for (int a = 0; a < AXES; a++) cube[a] -= cube[a] > 0 && u[a] == cube[a] && hm_falls(x[a]); /* the cube that x comes to */
+    for (int a = 0; a < AXES; a++)
+        cube[a] -= cube[a] > 0 && u[a] == cube[a] && hm_falls(x[a]); /* the cube that x comes to */
     const double unit = derivative ? 1.0 / g.spacing : 1.0, per = 1.0 / g.spacing;
     int order[AXES] = {derivative == 1, derivative == 2, derivative == 3};
     y = (hm_jet){unit * partial(&g, order, cube, u), 0.0, 0.0};
@@ -146,13 +154,17 @@ hm_jet hm_grid_jet(int derivative, const hm_jet *x, const double *first, const d
     return y;
 }
 
-/* The mean of the gradient along the straight line from x0 to x1: cube by cube, where the spline is a polynomial of degree 9
-   along the line, by Gauss's five nodes, which are exact for it. So sum slope dx is the difference of the values, though
-   no difference is taken (averaged vector field, Quispel and McLaren 2008).                                     */
-void hm_grid_slopes(int derivative, const double *x0, const double *x1, const double *first, const double *last, double *slope)
+/* The mean of the gradient along the straight line from x0 to x1: cube by cube, where the spline is
+   a polynomial of degree 9 along the line, by Gauss's five nodes, which are exact for it. So sum
+   slope dx is the difference of the values, though no difference is taken (averaged vector field,
+   Quispel and McLaren 2008). */
+void hm_grid_slopes(int derivative, const double *x0, const double *x1, const double *first,
+                    const double *last, double *slope)
 {
-    static const double node[NODES] = {0.04691007703066800, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933200};
-    static const double weight[NODES] = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
+    static const double node[NODES] = {0.04691007703066800, 0.23076534494715845, 0.5,
+                                       0.76923465505284155, 0.95308992296933200};
+    static const double weight[NODES] = {0.11846344252809454, 0.23931433524968324,
+                                         0.28444444444444444, 0.23931433524968324,
                                          0.11846344252809454};
     grid g;
     double u0[AXES], u1[AXES], d[AXES], from = 0.0, sum[AXES] = {0.0, 0.0, 0.0};
@@ -175,12 +187,16 @@ void hm_grid_slopes(int derivative, const double *x0, const double *x1, const do
         for (int n = 0; n < (rests ? 1 : NODES); n++) {
             for (int a = 0; a < AXES; a++) u[a] = u0[a] + (from + (to - from) * node[n]) * d[a];
             of_cube(&g, derivative - 1, cube, u, found);
-            for (int a = 0; a < AXES; a++) sum[a] += (rests ? 1.0 : (to - from) * weight[n]) * found[1 + a];
+            for (int a = 0; a < AXES; a++)
+                sum[a] += (rests ? 1.0 : (to - from) * weight[n]) * found[1 + a];
         }
-        if (next >= 0) cube[next] += cube[next] < last_cube[next] ? 1 : -1; /* not by d, which may be no number */
+        if (next >= 0)
+            cube[next] +=
+                cube[next] < last_cube[next] ? 1 : -1; /* not by d, which may be no number */
         from = to;
     }
-    for (int a = 0; a < AXES; a++) slope[a] = sum[a] / (derivative ? g.spacing * g.spacing : g.spacing);
+    for (int a = 0; a < AXES; a++)
+        slope[a] = sum[a] / (derivative ? g.spacing * g.spacing : g.spacing);
 }
 
 #include "small.h"

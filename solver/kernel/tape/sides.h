@@ -8,7 +8,8 @@ typedef struct switch_place {
     int32_t argument, side, kind, segment, is_of_motion;
 } switch_place;
 
-static inline const switch_place *switch_of(const context *c, int32_t k) { return (const switch_place *)(const void *)c->m->switch_table + k; }
+static inline const switch_place *switch_of(const context *c, int32_t k)
+{ return (const switch_place *)(const void *)c->m->switch_table + k; }
 
 /* Whether an argument is off its side. What has no value is on a side of its own. */
 static int is_off_side(int kind, double g, double side)
@@ -25,7 +26,8 @@ static double beyond_side(int kind, double g, double side)
     return side == 0.0 ? fabs(g) : -side * g;
 }
 
-/* Remembers arguments of switches where laws are evaluated at time t within the step at hand, and that one was off its side. */
+/* Remembers arguments of switches where laws are evaluated at time t within the step at hand, and
+   that one was off its side. */
 HM_SELDOM static void watch_switches(const context *c, double t)
 {
     double *seen = c->k.seen, *least = c->k.argument_least, *largest = c->k.argument_largest;

@@ -1,8 +1,10 @@
 /* Switches: what decides between the smooth pieces of laws and signals (theory 8.6).
 
-   A comparison, floor, abs, min, ... reads on which side its argument is. Sides belong to the state; they stand within a step, so that
-   laws are smooth even a little beyond a switch, and change where a step ends. Those of the time alone are known beforehand: the next
-   time at which an argument leaves its side is found by ranges (ranges.c), none is missed, and bisection gives it to the last bit. */
+   A comparison, floor, abs, min, ... reads on which side its argument is. Sides belong to the
+   state; they stand within a step, so that laws are smooth even a little beyond a switch, and
+   change where a step ends. Those of the time alone are known beforehand: the next time at which an
+   argument leaves its side is found by ranges (ranges.c), none is missed, and bisection gives it to
+   the last bit. */
 #ifndef HOLONOM_SWITCHES_H
 #define HOLONOM_SWITCHES_H
 
@@ -24,9 +26,12 @@ static double argument_at(const context *c, const switch_place *x, double t)
     return c->number[x->argument];
 }
 
-#define A_LITTLE_LATER 2.4e-7 /* [s], when arguments tell where they go that begin with neither a rate nor a second derivative */
+#define A_LITTLE_LATER                                                                             \
+    2.4e-7 /* [s], when arguments tell where they go that begin with neither a rate nor a second   \
+              derivative */
 
-/* Side on which the argument of a switch of the time is just after t, where its jet does not tell. */
+/* Side on which the argument of a switch of the time is just after t, where its jet does not
+   tell. */
 HM_SELDOM static double side_later(const context *c, const switch_place *x, double t)
 {
     const double g = argument_at(c, x, t + A_LITTLE_LATER);
@@ -54,8 +59,8 @@ static void seek_stop_anew(context *c)
     c->s.head[S_QUIET_UNTIL] = -1e300; /* a state is finite */
 }
 
-/* Sides of all switches from time t on, at the present state; stored energy that springs of other sides have is work. Where `is_booked`
-   is 0 nothing has happened before. */
+/* Sides of all switches from time t on, at the present state; stored energy that springs of other
+   sides have is work. Where `is_booked` is 0 nothing has happened before. */
 HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
 {
     const holonom_model *m = c->m;
@@ -64,20 +69,23 @@ HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
     if (m->sensing) sense(c, 0.0, 0);
     set_laws(c, t, is_booked);
     memcpy(sides, c->s.side, sizeof(double) * (size_t)m->n_switches);
-    for (int32_t pass = 0, changed = 1; changed && pass <= m->n_switches; pass++) { /* each depends on those before it */
+    for (int32_t pass = 0, changed = 1; changed && pass <= m->n_switches;
+         pass++) { /* each depends on those before it */
         changed = 0;
         run_arguments(c, t);
         for (int32_t k = 0; k < m->n_switches; k++) {
             const switch_place *x = switch_of(c, k);
             const int32_t at = x->argument;
             const hm_jet g = {c->number[at], c->k.jet[2 * at], c->k.jet[2 * at + 1]};
-            const int is_told = x->is_of_motion || g.rate != 0.0 || g.bend != 0.0 || g.value != (x->kind == SWITCH_LEVEL ? floor(g.value) : 0.0);
+            const int is_told = x->is_of_motion || g.rate != 0.0 || g.bend != 0.0
+                                || g.value != (x->kind == SWITCH_LEVEL ? floor(g.value) : 0.0);
             const double side = is_told ? side_after(x->kind, g) : side_later(c, x, t);
             changed |= memcmp(&side, c->s.side + k, sizeof side) != 0;
             c->s.side[k] = side;
         }
     }
-    for (int32_t k = 0; k < m->n_switches; k++) { /* booked from the laws as they were to those that they are */
+    for (int32_t k = 0; k < m->n_switches;
+         k++) { /* booked from the laws as they were to those that they are */
         const double side = sides[k];
         sides[k] = c->s.side[k];
         c->s.side[k] = side;
@@ -88,7 +96,7 @@ HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
     seek_stop_anew(c);
 }
 
-/* ---------------------------------------------------------------------------------------------- switches of the time */
+/* ------------------------------------------------------------------------- switches of the time */
 
 /* Range of a number a0 + a1 u + a2 u^2 + a3 u^3 and its rate from u to v. */
 static void set_range_of_input(const context *c, int32_t i, double u, double v)
@@ -96,16 +104,24 @@ static void set_range_of_input(const context *c, int32_t i, double u, double v)
     const hm_state *s = &c->s;
     const int32_t place = c->m->input_at + i;
     const double x = 0.5 * (u + v), half = 0.5 * (v - u), third = 6.0 * s->inputs_third[i];
-    const double bend = 2.0 * s->inputs_bend[i] + third * x, rate = s->inputs_slope[i] + x * (2.0 * s->inputs_bend[i] + 0.5 * third * x);
-    const double value = s->inputs_before[i] + x * (s->inputs_slope[i] + x * (s->inputs_bend[i] + x * s->inputs_third[i]));
-    const double wide = half * (fabs(rate) + half * (0.5 * fabs(bend) + half * fabs(third) / 6.0)) + 1e-15 * fabs(value);
+    const double bend = 2.0 * s->inputs_bend[i] + third * x,
+                 rate = s->inputs_slope[i] + x * (2.0 * s->inputs_bend[i] + 0.5 * third * x);
+    const double value =
+        s->inputs_before[i]
+        + x * (s->inputs_slope[i] + x * (s->inputs_bend[i] + x * s->inputs_third[i]));
+    const double wide = half * (fabs(rate) + half * (0.5 * fabs(bend) + half * fabs(third) / 6.0))
+                        + 1e-15 * fabs(value);
     const double wide_rate = half * (fabs(bend) + 0.5 * half * fabs(third)) + 1e-15 * fabs(rate);
-    if (c->m->input_course[i] == INPUT_HELD) hm_set_range(c->k.bounds, place, s->inputs[i], s->inputs[i], 0.0, 0.0);
-    else hm_set_range(c->k.bounds, place, value - wide, value + wide, rate - wide_rate, rate + wide_rate);
+    if (c->m->input_course[i] == INPUT_HELD)
+        hm_set_range(c->k.bounds, place, s->inputs[i], s->inputs[i], 0.0, 0.0);
+    else
+        hm_set_range(c->k.bounds, place, value - wide, value + wide, rate - wide_rate,
+                     rate + wide_rate);
 }
 
 /* Range of the argument of a switch, and of its rate (4), from time a to b. */
-HM_SELDOM static const double *range_between(const context *c, const switch_place *x, double a, double b)
+HM_SELDOM static const double *range_between(const context *c, const switch_place *x, double a,
+                                             double b)
 {
     const holonom_model *m = c->m;
     load_inputs(c, a);
@@ -118,16 +134,19 @@ HM_SELDOM static const double *range_between(const context *c, const switch_plac
 
 enum { UPWARDS = 1, DOWNWARDS = -1, ANYWHERE = 0 };
 
-/* Whether an argument has left its side in a direction; at the beginning it may still be on the other one by rounding. */
+/* Whether an argument has left its side in a direction; at the beginning it may still be on the
+   other one by rounding. */
 static int has_left(int kind, double g, double side, int direction)
 {
-    if (direction == ANYWHERE || g != g || side != side || (kind == SWITCH_SIGN && side == 0.0)) return is_off_side(kind, g, side);
+    if (direction == ANYWHERE || g != g || side != side || (kind == SWITCH_SIGN && side == 0.0))
+        return is_off_side(kind, g, side);
     if (direction == UPWARDS) return kind == SWITCH_SIGN ? side < 0.0 && g > 0.0 : g > side + 1.0;
     return kind == SWITCH_SIGN ? side > 0.0 && g < 0.0 : g < side;
 }
 
 /* First double in (a, b] at which it has left, if it has at b. */
-HM_SELDOM static double first_left(const context *c, const switch_place *x, double side, int direction, double a, double b)
+HM_SELDOM static double first_left(const context *c, const switch_place *x, double side,
+                                   int direction, double a, double b)
 {
     if (!has_left(x->kind, argument_at(c, x, b), side, direction)) return INFINITY;
     for (;;) {
@@ -138,20 +157,27 @@ HM_SELDOM static double first_left(const context *c, const switch_place *x, doub
     }
 }
 
-enum { DEEPEST = 48, MOST_RANGES = 4000 }; /* halvings of an interval; ranges looked at until only its end is */
+enum {
+    DEEPEST = 48,
+    MOST_RANGES = 4000
+}; /* halvings of an interval; ranges looked at until only its end is */
 
 /* First time in (a, b] at which an argument leaves its side, or infinity. */
-HM_SELDOM static double leaves_between(const context *c, const switch_place *x, double side, double a, double b, int depth, int *left)
+HM_SELDOM static double leaves_between(const context *c, const switch_place *x, double side,
+                                       double a, double b, int depth, int *left)
 {
     const double *range = range_between(c, x, a, b);
     const int stays = x->kind == SWITCH_LEVEL ? range[0] >= side && range[1] <= side + 1.0
-                                              : side > 0.0 ? range[0] >= 0.0 : side < 0.0 ? range[1] <= 0.0 : range[0] == 0.0 && range[1] == 0.0;
+                      : side > 0.0            ? range[0] >= 0.0
+                      : side < 0.0            ? range[1] <= 0.0
+                                              : range[0] == 0.0 && range[1] == 0.0;
     if (stays) return INFINITY;
     if (side != side) return first_left(c, x, side, ANYWHERE, a, b);
     if (range[2] > 0.0) return first_left(c, x, side, UPWARDS, a, b);
     if (range[3] < 0.0) return first_left(c, x, side, DOWNWARDS, a, b);
     const double middle = a + 0.5 * (b - a);
-    if (depth == DEEPEST || --*left < 0 || !(middle > a && middle < b)) return first_left(c, x, side, ANYWHERE, a, b);
+    if (depth == DEEPEST || --*left < 0 || !(middle > a && middle < b))
+        return first_left(c, x, side, ANYWHERE, a, b);
     const double first = leaves_between(c, x, side, a, middle, depth + 1, left);
     return first < INFINITY ? first : leaves_between(c, x, side, middle, b, depth + 1, left);
 }
@@ -159,21 +185,27 @@ HM_SELDOM static double leaves_between(const context *c, const switch_place *x, 
 /* Times so near to each other are one. */
 static double rounding_of_time(double t, double step) { return 2e-15 * fabs(t) + 1e-14 * step; }
 
-#define LOOKS_AHEAD 64.0 /* communication steps, as long as no input moves: a look costs as much as some steps of a small mechanism */
+#define LOOKS_AHEAD                                                                                \
+    64.0 /* communication steps, as long as no input moves: a look costs as much as some steps of  \
+            a small mechanism */
 
-/* Next time at which a switch of the time changes, infinite if that is after `end`. It stands until sides change. */
+/* Next time at which a switch of the time changes, infinite if that is after `end`. It stands until
+   sides change. */
 HM_SELDOM static double next_stop(context *c, double t, double end)
 {
     const holonom_model *m = c->m;
     const double law_time = c->number[m->time_at];
     if (c->switches.next == c->switches.next) return c->switches.next;
     c->switches.next = INFINITY;
-    if (m->n_motion_switches == m->n_switches || end < c->s.head[S_QUIET_UNTIL]) return c->switches.next;
+    if (m->n_motion_switches == m->n_switches || end < c->s.head[S_QUIET_UNTIL])
+        return c->switches.next;
     const double last = move_inputs(c) ? end : end + LOOKS_AHEAD * (end - c->start);
     for (int32_t k = 0; k < m->n_switches; k++) {
         int left = MOST_RANGES;
         if (switch_of(c, k)->is_of_motion) continue;
-        c->switches.next = fmin(c->switches.next, leaves_between(c, switch_of(c, k), c->s.side[k], t, fmin(c->switches.next, last), 0, &left));
+        c->switches.next =
+            fmin(c->switches.next, leaves_between(c, switch_of(c, k), c->s.side[k], t,
+                                                  fmin(c->switches.next, last), 0, &left));
     }
     const double known = fmin(c->switches.next, last);
     c->s.head[S_QUIET_UNTIL] = known - 4.0 * rounding_of_time(known, end - c->start);

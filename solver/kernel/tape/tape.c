@@ -1,5 +1,6 @@
-/* The tape: a list of scalar operations on the vector of numbers. Expressions of a scene are compiled to it,
-   so that parameters, inputs and time take effect inside an FMU without any expression parser there.         */
+/* The tape: a list of scalar operations on the vector of numbers. Expressions of a scene are
+   compiled to it, so that parameters, inputs and time take effect inside an FMU without any
+   expression parser there. */
 #include "internal.h"
 
 #include <math.h>
@@ -62,6 +63,7 @@ void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment)
     const int32_t *op = model->tape, *length = &model->n_tape_parameters;
     for (int32_t before = 0; before < segment; before++) op += 5 * (int64_t)length[before];
     for (int32_t i = 0; i < length[segment]; i++, op += 5)
-        numbers[op[1]] = op[0] < T_SPLINE ? hm_operate(op[0], numbers[op[2]], numbers[op[3]], numbers[op[4]])
-                                          : hm_look_up(op[0], numbers + op[2], numbers + op[3], numbers + op[4]);
+        numbers[op[1]] = op[0] < T_SPLINE
+                             ? hm_operate(op[0], numbers[op[2]], numbers[op[3]], numbers[op[4]])
+                             : hm_look_up(op[0], numbers + op[2], numbers + op[3], numbers + op[4]);
 }

@@ -26,8 +26,20 @@ int holds_load(double load)
     const int32_t first = 0, tangents = 0;
     const double coefficient = 0.0, B = 1.0;
     double v[7];
-    const rest_split x = {.contacts = 1, .rows = 1, .rank = 1, .first = &first, .tangents = &tangents, .coefficient = &coefficient,
-                          .B = &B, .g = &load, .force = v, .base = v + 1, .dual = v + 2, .way = v + 3, .defect = v + 4, .trial = v + 5,
+    const rest_split x = {.contacts = 1,
+                          .rows = 1,
+                          .rank = 1,
+                          .first = &first,
+                          .tangents = &tangents,
+                          .coefficient = &coefficient,
+                          .B = &B,
+                          .g = &load,
+                          .force = v,
+                          .base = v + 1,
+                          .dual = v + 2,
+                          .way = v + 3,
+                          .defect = v + 4,
+                          .trial = v + 5,
                           .matrix = v + 6};
     return has_split(&x, 1.0);
 }

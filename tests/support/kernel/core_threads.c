@@ -1,4 +1,5 @@
-/* Runs instances of one model in threads at once and prints a hash of all values of each thread: they must be equal. */
+/* Runs instances of one model in threads at once and prints a hash of all values of each thread:
+   they must be equal. */
 #include "instance.h"
 
 #include <inttypes.h>
@@ -17,7 +18,8 @@ static uint64_t hash_of_thread[MOST_THREADS];
 
 static uint64_t hashed(uint64_t hash, const void *bytes, size_t count)
 {
-    for (const unsigned char *byte = bytes; count; count--, byte++) hash = (hash ^ *byte) * 1099511628211u;
+    for (const unsigned char *byte = bytes; count; count--, byte++)
+        hash = (hash ^ *byte) * 1099511628211u;
     return hash;
 }
 
@@ -26,7 +28,8 @@ static void *run(void *hash)
     char why[200];
     const int64_t size = holonom_instance_size(model, model_length, why, sizeof why);
     void *memory = malloc((size_t)size + 16);
-    holonom_instance *i = holonom_make(model, (void *)(((uintptr_t)memory + 15) & ~(uintptr_t)15), 1);
+    holonom_instance *i =
+        holonom_make(model, (void *)(((uintptr_t)memory + 15) & ~(uintptr_t)15), 1);
     int32_t index[MOST_VALUES];
     double value[MOST_VALUES];
     uint64_t found = 14695981039346656037u;
@@ -35,7 +38,8 @@ static void *run(void *hash)
     for (int step = 0; step < STEPS; step++) {
         if (step == 10) holonom_save(i, saved);
         if (step == 20) holonom_restore(i, saved, holonom_saved_size(i));
-        const int32_t moved = holonom_move(i, holonom_state_of(i)[0], length), got = holonom_get(i, index, n_values, value);
+        const int32_t moved = holonom_move(i, holonom_state_of(i)[0], length),
+                      got = holonom_get(i, index, n_values, value);
         found = hashed(hashed(found, &moved, sizeof moved), &got, sizeof got);
         found = hashed(found, value, sizeof(double) * (size_t)n_values);
         found = hashed(found, holonom_message(i), strlen(holonom_message(i)));
@@ -46,7 +50,8 @@ static void *run(void *hash)
     return NULL;
 }
 
-int main(int count, char **word) /* model file, number of values, length of a step, number of threads */
+int main(int count,
+         char **word) /* model file, number of values, length of a step, number of threads */
 {
     pthread_t thread[MOST_THREADS];
     const int n_threads = count > 4 ? atoi(word[4]) : 1;

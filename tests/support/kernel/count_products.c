@@ -1,4 +1,5 @@
-/* Counts what factorisations and solves of a kernel multiply: linked in their place with --wrap, which hands on to them. */
+/* Counts what factorisations and solves of a kernel multiply: linked in their place with --wrap,
+   which hands on to them. */
 #include "holonom.h"
 
 #include <stdint.h>
@@ -19,14 +20,21 @@ int holonom_energy_decides = 1; /* whether a step must close its ledger to count
 
 #ifndef UNWRAPPED
 
-void __real_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x);
-int32_t __real_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value);
-int32_t __real_hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last, double *value);
-void __real_hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last, const double *value, double *x);
-__attribute__((visibility("default"))) int64_t counted[4]; /* factorisations, their products, solves, their products */
+void __real_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
+                        const double *value, double *x);
+int32_t __real_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
+                            double *value);
+int32_t __real_hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last,
+                               double *value);
+void __real_hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last,
+                           const double *value, double *x);
+__attribute__((visibility(
+    "default"))) int64_t counted[4]; /* factorisations, their products, solves, their products */
 
-/* Pivot k has (ptr[k + 1] - ptr[k] - 1)/2 neighbours m: m (m + 1) products to eliminate it, 2 m + 1 to solve. */
-int32_t __wrap_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value)
+/* Pivot k has (ptr[k + 1] - ptr[k] - 1)/2 neighbours m: m (m + 1) products to eliminate it, 2 m + 1
+   to solve. */
+int32_t __wrap_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
+                            double *value)
 {
     counted[0] += 1;
     for (int32_t k = begin; k < end; k++) {
@@ -36,7 +44,8 @@ int32_t __wrap_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, cons
     return __real_hm_lu_factor(begin, end, ptr, target, value);
 }
 
-void __wrap_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x)
+void __wrap_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
+                        const double *value, double *x)
 {
     counted[2] += 1;
     counted[3] += ptr[end] - ptr[begin];
@@ -44,7 +53,8 @@ void __wrap_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const in
 }
 
 /* A group of p pivots and m neighbours has k + m of these at its k-th pivot from the end. */
-static void count_groups(const holonom_elimination *lu, int32_t first, int32_t last, int64_t *of_factors, int64_t *of_solves)
+static void count_groups(const holonom_elimination *lu, int32_t first, int32_t last,
+                         int64_t *of_factors, int64_t *of_solves)
 {
     for (int32_t g = lu->lu_island[4 * first + 1]; g < lu->lu_island[4 * last + 1]; g++) {
         const int64_t p = lu->lu_group[3 * g + 3] - lu->lu_group[3 * g];
@@ -55,7 +65,8 @@ static void count_groups(const holonom_elimination *lu, int32_t first, int32_t l
     }
 }
 
-int32_t __wrap_hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last, double *value)
+int32_t __wrap_hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last,
+                               double *value)
 {
     int64_t unused = 0;
     counted[0] += 1;
@@ -63,7 +74,8 @@ int32_t __wrap_hm_block_factor(const holonom_elimination *lu, int32_t first, int
     return __real_hm_block_factor(lu, first, last, value);
 }
 
-void __wrap_hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last, const double *value, double *x)
+void __wrap_hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last,
+                           const double *value, double *x)
 {
     int64_t unused = 0;
     counted[2] += 1;

@@ -1,4 +1,5 @@
-/* Prints a hash of the bits that each elementary function returns for so many arguments, the same on every machine. */
+/* Prints a hash of the bits that each elementary function returns for so many arguments, the same
+   on every machine. */
 #include "elementary.h"
 
 #include <inttypes.h>
@@ -21,7 +22,8 @@ static double from_bits(uint64_t u) { double x; memcpy(&x, &u, 8); return x; }
 static double argument(int usual)
 {
     const uint64_t u = next_bits();
-    return from_bits(usual ? (u & 0x800fffffffffffffu) | (uint64_t)(1023 - 8 + (u >> 52 & 15)) << 52 : u);
+    return from_bits(usual ? (u & 0x800fffffffffffffu) | (uint64_t)(1023 - 8 + (u >> 52 & 15)) << 52
+                           : u);
 }
 
 typedef struct { const char *name; double (*one)(double); double (*two)(double, double); } function;
@@ -29,9 +31,11 @@ typedef struct { const char *name; double (*one)(double); double (*two)(double, 
 int main(int count, char **word)
 {
     static const function all[] = {
-        {"sin", hm_sin, 0}, {"cos", hm_cos, 0}, {"tan", hm_tan, 0}, {"asin", hm_asin, 0}, {"acos", hm_acos, 0},
-        {"atan", hm_atan, 0}, {"exp", hm_exp, 0}, {"log", hm_log, 0}, {"sinh", hm_sinh, 0}, {"cosh", hm_cosh, 0},
-        {"tanh", hm_tanh, 0}, {"atanh", hm_atanh, 0}, {"atan2", 0, hm_atan2}, {"pow", 0, hm_pow}, {"hypot", 0, hm_hypot},
+        {"sin", hm_sin, 0},     {"cos", hm_cos, 0},   {"tan", hm_tan, 0},
+        {"asin", hm_asin, 0},   {"acos", hm_acos, 0}, {"atan", hm_atan, 0},
+        {"exp", hm_exp, 0},     {"log", hm_log, 0},   {"sinh", hm_sinh, 0},
+        {"cosh", hm_cosh, 0},   {"tanh", hm_tanh, 0}, {"atanh", hm_atanh, 0},
+        {"atan2", 0, hm_atan2}, {"pow", 0, hm_pow},   {"hypot", 0, hm_hypot},
     };
     const long cases = count > 1 ? atol(word[1]) : 1000;
     for (unsigned k = 0; k < sizeof all / sizeof *all; k++) {

@@ -6,16 +6,18 @@
 #include "tangent.h"
 
 HOLONOM_API int64_t holonom_model_bytes(void);
-HOLONOM_API int32_t holonom_probe(const holonom_model *m, double *number, double *state, double *work, double h,
-                                  const double *w, const double *mu, const double *x, double *r, double *tx);
+HOLONOM_API int32_t holonom_probe(const holonom_model *m, double *number, double *state,
+                                  double *work, double h, const double *w, const double *mu,
+                                  const double *x, double *r, double *tx);
 
-HOLONOM_API int32_t holonom_half_step(const holonom_model *m, double *number, double *state, double *work, double h, int32_t half);
+HOLONOM_API int32_t holonom_half_step(const holonom_model *m, double *number, double *state,
+                                      double *work, double h, int32_t half);
 
 int64_t holonom_model_bytes(void) { return (int64_t)sizeof(holonom_model); }
 
 /* Product y = A x with the unfactorised matrix; x, y (n) in elimination order, y overwritten. */
-static void multiply(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, const double *x,
-                     double *y)
+static void multiply(int32_t n, const int32_t *ptr, const int32_t *column, const double *value,
+                     const double *x, double *y)
 {
     for (int32_t k = 0; k < n; k++) y[k] = 0.0;
     for (int32_t k = 0; k < n; k++) {
@@ -31,8 +33,9 @@ static void multiply(int32_t n, const int32_t *ptr, const int32_t *column, const
 }
 
 /* One step of length h from `state` (not modified): residual r at the increment
-   w = d - h v of the free nodes (dim n_free) and multipliers mu (n_rows), r (dim n_free + n_rows, overwritten), and the
-   tangent times a direction x, tx (both dim n_free + n_rows; tx overwritten). */
+   w = d - h v of the free nodes (dim n_free) and multipliers mu (n_rows), r (dim n_free + n_rows,
+   overwritten), and the tangent times a direction x, tx (both dim n_free + n_rows; tx
+   overwritten). */
 int32_t holonom_probe(const holonom_model *m, double *number, double *state, double *work, double h,
                       const double *w, const double *mu, const double *x, double *r, double *tx)
 {
@@ -64,8 +67,10 @@ int32_t holonom_probe(const holonom_model *m, double *number, double *state, dou
     return HOLONOM_OK;
 }
 
-/* Half step 0 or 1 of a pair, of length h [s]; `state` (modified) is that between the two where it was half step 0. */
-int32_t holonom_half_step(const holonom_model *m, double *number, double *state, double *work, double h, int32_t half)
+/* Half step 0 or 1 of a pair, of length h [s]; `state` (modified) is that between the two where it
+   was half step 0. */
+int32_t holonom_half_step(const holonom_model *m, double *number, double *state, double *work,
+                          double h, int32_t half)
 {
     context c;
     open_context(&c, m, number, state, work);
