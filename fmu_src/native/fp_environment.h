@@ -30,7 +30,7 @@ static inline fp_environment fp_enter(void)
 }
 static inline void fp_leave(fp_environment host) { __asm__ volatile("msr fpcr, %0" : : "r"(host)); }
 #else
-/* Of other processors it is taken as it is: targets without an operating system keep the default. */
+/* Of other processors it is taken as it is: targets without an operating system keep defaults. */
 static inline fp_environment fp_enter(void) { return 0; }
 static inline void fp_leave(fp_environment host) { (void)host; }
 #endif
