@@ -58,29 +58,24 @@ typedef void (*fmi3_callback)(void); /* of other kinds, which this FMU never cal
 
 /* X(name) for each getter and setter of a type that no variable has; none at all is fine. */
 #define FMI3_OTHER_TYPES(X)                                                                        \
-    X(fmi3GetFloat32)                                                                              \
-    X(fmi3GetInt8) X(fmi3GetUInt8) X(fmi3GetInt16) X(fmi3GetUInt16) X(fmi3GetInt32)                \
-        X(fmi3GetUInt32) X(fmi3GetInt64) X(fmi3GetUInt64) X(fmi3GetBinary) X(fmi3GetClock)         \
-            X(fmi3SetFloat32) X(fmi3SetInt8) X(fmi3SetUInt8) X(fmi3SetInt16) X(fmi3SetUInt16)      \
-                X(fmi3SetInt32) X(fmi3SetUInt32) X(fmi3SetInt64) X(fmi3SetUInt64) X(fmi3SetBinary) \
-                    X(fmi3SetClock)
+    X(fmi3GetFloat32) X(fmi3GetInt8) X(fmi3GetUInt8) X(fmi3GetInt16) X(fmi3GetUInt16)              \
+    X(fmi3GetInt32) X(fmi3GetUInt32) X(fmi3GetInt64) X(fmi3GetUInt64) X(fmi3GetBinary)             \
+    X(fmi3GetClock) X(fmi3SetFloat32) X(fmi3SetInt8) X(fmi3SetUInt8) X(fmi3SetInt16)               \
+    X(fmi3SetUInt16) X(fmi3SetInt32) X(fmi3SetUInt32) X(fmi3SetInt64) X(fmi3SetUInt64)             \
+    X(fmi3SetBinary) X(fmi3SetClock)
 
 /* X(name) for each function of events, clocks, model exchange, configuration and derivatives. */
 #define FMI3_REFUSED(X)                                                                            \
-    X(fmi3EnterEventMode)                                                                          \
-    X(fmi3EnterStepMode) X(fmi3EvaluateDiscreteStates) X(fmi3UpdateDiscreteStates)                 \
-        X(fmi3EnterConfigurationMode) X(fmi3ExitConfigurationMode) X(                              \
-            fmi3GetNumberOfVariableDependencies) X(fmi3GetVariableDependencies)                    \
-            X(fmi3GetDirectionalDerivative) X(fmi3GetAdjointDerivative) X(fmi3GetIntervalDecimal)  \
-                X(fmi3GetIntervalFraction) X(fmi3GetShiftDecimal) X(fmi3GetShiftFraction)          \
-                    X(fmi3SetIntervalDecimal) X(fmi3SetIntervalFraction) X(fmi3SetShiftDecimal)    \
-                        X(fmi3SetShiftFraction) X(fmi3EnterContinuousTimeMode)                     \
-                            X(fmi3CompletedIntegratorStep) X(fmi3SetTime)                          \
-                                X(fmi3SetContinuousStates) X(fmi3GetContinuousStateDerivatives)    \
-                                    X(fmi3GetEventIndicators) X(fmi3GetContinuousStates)           \
-                                        X(fmi3GetNominalsOfContinuousStates)                       \
-                                            X(fmi3GetNumberOfEventIndicators)                      \
-                                                X(fmi3GetNumberOfContinuousStates)                 \
-                                                    X(fmi3ActivateModelPartition)
+    X(fmi3EnterEventMode) X(fmi3EnterStepMode) X(fmi3EvaluateDiscreteStates)                       \
+    X(fmi3UpdateDiscreteStates) X(fmi3EnterConfigurationMode) X(fmi3ExitConfigurationMode)         \
+    X(fmi3GetNumberOfVariableDependencies) X(fmi3GetVariableDependencies)                          \
+    X(fmi3GetDirectionalDerivative) X(fmi3GetAdjointDerivative) X(fmi3GetIntervalDecimal)          \
+    X(fmi3GetIntervalFraction) X(fmi3GetShiftDecimal) X(fmi3GetShiftFraction)                      \
+    X(fmi3SetIntervalDecimal) X(fmi3SetIntervalFraction) X(fmi3SetShiftDecimal)                    \
+    X(fmi3SetShiftFraction) X(fmi3EnterContinuousTimeMode) X(fmi3CompletedIntegratorStep)          \
+    X(fmi3SetTime) X(fmi3SetContinuousStates) X(fmi3GetContinuousStateDerivatives)                 \
+    X(fmi3GetEventIndicators) X(fmi3GetContinuousStates) X(fmi3GetNominalsOfContinuousStates)      \
+    X(fmi3GetNumberOfEventIndicators) X(fmi3GetNumberOfContinuousStates)                           \
+    X(fmi3ActivateModelPartition)
 
 #endif

@@ -44,7 +44,7 @@ def test_one_line_of_the_layout_lets_time_integrate_another_vector(tmp_path):
     made = headers(tmp_path)
     assert "    double *z; /* n_inputs: [1] */\n" in made["model_tables.h"]
     assert "    double *z_low; /* n_inputs */\n" in made["model_tables.h"]
-    order = re.findall(r"x->(\w+) = take", made["section_tables.h"])
+    order = re.findall(r"x->(\w+) = block", made["section_tables.h"])
     assert order[:7] == ["head", "z", "q", "v", "z_low", "q_low", "v_low"]
     assert "n_motion = (int64_t)m->n_inputs + n + n;" in made["section_tables.h"]
 

@@ -30,8 +30,7 @@ TRADES = ("stiffness", "factorisation", "fresh factors", "directors", "all")
 """Skips that take some iterations more for fewer products of factors and solves."""
 
 DEARER = {
-    ("fresh factors", "andrews", 2, "products"): 1.03,
-    ("fresh factors", "bifilar", 2, "products"): 1.32,
+    ("fresh factors", "bifilar", 2, "products"): 1.31,
     ("stiffness", "differential", 2, "products"): 1.04,
     ("fresh factors", "differential", 2, "products"): 1.03,
     ("fresh factors", "double_pendulum", 2, "products"): 1.03,
@@ -40,7 +39,6 @@ DEARER = {
     ("stiffness", "flyball_governor", 2, "products"): 1.03,
     ("directors", "jansen", 2, "products"): 1.05,
     ("fresh factors", "pendulum", 2, "products"): 1.04,
-    ("fresh factors", "spring_pendulum", 2, "products"): 1.08,
     ("old guess", "spring_pendulum", 2, "iterations"): 1.18,
     ("islands", "zoo in space", 2, "iterations"): 1.06,
     ("stiffness", "differential", 4, "products"): 1.03,

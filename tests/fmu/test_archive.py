@@ -28,7 +28,7 @@ from fmu_src.status import LOG_CATEGORIES
 from solver.runtime.model_file import HEADER
 from tests.support.fmus.fmu_instance import SCENES, instance, pendulum, scene_fmu
 
-BARE_HOST = Path(__file__).parents[1].joinpath("bare_host.py")
+BARE_HOST = Path(__file__).parents[1].joinpath("support/fmus/bare_host.py")
 
 
 def repack(source: Path, target: Path, change) -> Path:

@@ -169,7 +169,7 @@ def test_every_function_is_called_and_answers_as_documented(host, swinging):
         called[what] = value
     header = SOURCES.parents[1] / "fmu_src" / "native" / "fmi2.h"
     table = header.read_text(encoding="utf-8")
-    functions = set(re.findall(r"\b(fmi2(?!Get##|Set##)\w+), \\?\s*\(", table))
+    functions = set(re.findall(r"\b(fmi2(?!Get##|Set##)\w+),\s*\\?\s*\(", table))
     functions |= {f"fmi2{way}{kind}" for way in ("Get", "Set") for kind in KINDS}
     assert len(functions) == 34
     assert functions - set(called) - set(values) == {"fmi2Instantiate"}

@@ -19,7 +19,7 @@ from fmpy import fmi1
 from build_fmu.run import run_fmu
 from tests.support.fmus.fmu_instance import Instance, instance, pendulum, scene_fmu, stepping_slave
 
-BARE_HOST = Path(__file__).parents[1].joinpath("bare_host.py")
+BARE_HOST = Path(__file__).parents[1].joinpath("support/fmus/bare_host.py")
 STEPS, H = 20, 0.02
 LINUX = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 

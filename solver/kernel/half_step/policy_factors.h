@@ -92,11 +92,9 @@ static inline void pause_way(double *steps, double *wait)
 static void pause_lean(double *island) { pause_way(island + I_FULL_STEPS, island + I_FULL_WAIT); }
 
 /* Factors of the half step before serve another of the same length, where they are dear and the
-   mechanism moves little: as long as they cost one increment more than fresh ones, which are
-   dearer, or none; else they are left alone for a while, each time for twice as many half steps.
-   They are scratch of one internal step, and of one island. */
-#define FURTHER_INCREMENTS 1
-
+   mechanism moves little: as long as they cost no increment more than fresh ones; else they are left
+   alone for a while, each time for twice as many half steps. They are scratch of one internal step,
+   and of one island. */
 static int take_factors_over(context *c, newton_record *r)
 {
     double *island = c->island;
@@ -126,7 +124,7 @@ static void replace_factors(context *c, newton_record *r)
 static void judge_factors(context *c, const newton_record *r, int began_with_old)
 {
     double *island = c->island;
-    if (began_with_old && r->increments > c->kept_factors.increments + FURTHER_INCREMENTS)
+    if (began_with_old && r->increments > c->kept_factors.increments)
         pause_way(island + I_FRESH_STEPS, island + I_FRESH_WAIT);
     if (!began_with_old) c->kept_factors.increments = r->increments;
     c->kept_factors.h = r->factorised && !r->raised ? c->h : 0.0;
