@@ -92,9 +92,9 @@ static inline void pause_way(double *steps, double *wait)
 static void pause_lean(double *island) { pause_way(island + I_FULL_STEPS, island + I_FULL_WAIT); }
 
 /* Factors of the half step before serve another of the same length, where they are dear and the
-   mechanism moves little: as long as they cost no increment more than fresh ones; else they are left
-   alone for a while, each time for twice as many half steps. They are scratch of one internal step,
-   and of one island. */
+   mechanism moves little: as long as they cost no increment more than fresh ones; else they are
+   left alone for a while, each time for twice as many half steps. They are scratch of one internal
+   step, and of one island. */
 static int take_factors_over(context *c, newton_record *r)
 {
     double *island = c->island;
