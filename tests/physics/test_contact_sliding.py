@@ -189,7 +189,8 @@ def test_a_slip_in_space_may_stop_sooner_than_its_rate_says(stiffness, friction)
     integrator = begin(two_on_a_spring(stiffness, friction, 0.02), 0.01)
     events = 0.0
     for _ in range(60):
-        assert cover(integrator, [integrator.time + 0.01]).error < 1e-13
+        # A length of 1 m is rounded by 1e-16; the stiffest spring pulls with 1e3 N.
+        assert cover(integrator, [integrator.time + 0.01]).error < 2e-13
         assert integrator["solver.stepped"] == 0.0
         events += number(integrator, "solver.events")
     assert events >= 6.0  # landings and stops

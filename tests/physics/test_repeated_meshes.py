@@ -131,7 +131,7 @@ def test_the_same_numbers_give_the_same_bits(name, options):
     [
         ("gear_pair_with_backlash", "load", 10),
         ("geneva_drive", "speed", 5),
-        ("ratchet", "period", 5),
+        ("slider_crank_with_clearance", "speed", 50),
     ],
 )
 def test_a_run_with_many_events_goes_where_one_with_its_own_steps_goes(name, parameter, events):
