@@ -289,7 +289,7 @@ void hm_say_steps(hm_text *text, const double *head, int is_explicit)
         hm_say(text, ": contact_mode stepped takes equal steps, whatever the tolerance");
 }
 
-static int has_dampers(const hm_model_file *f, const double *numbers)
+static int model_has_dampers(const hm_model_file *f, const double *numbers)
 {
     for (int32_t j = 0; j < f->model.n_elements; j++)
         if (numbers[f->model.damping_at + j] != 0.0) return 1;
@@ -330,7 +330,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
            "too much in a step of this length, "
            "or not at all%s",
            head[S_ORDER],
-           has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
+           model_has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
            hm_tolerance(head) > 0.0 ? "; a tight solver.tolerance takes many steps of order 2"
                                     : "");
     return 0;
