@@ -193,7 +193,7 @@ def attributes_of_variable(index: int, variable: Variable) -> str:
 @lru_cache(1024)
 def _kind(causality: str, variability: str) -> str:
     # Inputs must not say it: their start value is exact by definition.
-    initial = "exact" if _is_settable(causality) else "calculated"
+    initial = "exact" if is_settable(causality) else "calculated"
     return written(
         {
             "causality": causality,
@@ -211,7 +211,7 @@ def attributes_of_value(
     if variable.type == "Real":
         limits = (None, None) if variable.clips else (variable.minimum, variable.maximum)
         text = _type_and_limits(types.get(variable.unit or ""), variable.unit, *limits)
-    if with_start and _is_settable(variable.causality):
+    if with_start and is_settable(variable.causality):
         text += written({"start": variable.start})
     return text
 
@@ -225,7 +225,8 @@ def _type_and_limits(
     return written({**typed, "min": minimum, "max": maximum})
 
 
-def _is_settable(causality: str) -> bool:
+def is_settable(causality: str) -> bool:
+    """Whether a user may give a variable of this causality its start value."""
     return causality in ("parameter", "input")
 
 

@@ -14,6 +14,7 @@ from build_fmu.model_description import (
     attributes_of_variable,
     common_parts,
     description,
+    is_settable,
     unknowns,
     vendor_annotations,
 )
@@ -76,7 +77,7 @@ def _type(name: str, given: Mapping[str, object]) -> Element:
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
-    is_text = variable.type == "String" and variable.causality in ("parameter", "input")
+    is_text = variable.type == "String" and is_settable(variable.causality)
     value = attributes_of_value(variable, types, with_start=not is_text)
     start = [element("Start", value=variable.start)] if is_text else []  # several, of an array
     return Element(TYPES[variable.type], attributes_of_variable(index, variable) + value, start)

@@ -9,9 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    MANY = 3
-}; /* failures in a row at the same time after which it is said what else to change */
+/* Failures in a row at the same time after which it is said what else to change. */
+enum { MANY = 3 };
 static const double STOP_DIGITS = 8.0, STOP_SLACK = 1e-3; /* see ends_too_late */
 
 double *slave_head(const slave *s) { return holonom_state_of(s->instance); }

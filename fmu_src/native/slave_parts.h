@@ -5,13 +5,8 @@
 #include "chosen_steps.h"
 #include "slave.h"
 
-enum {
-    INSTANTIATED,
-    INITIALIZING,
-    STEPPING,
-    TERMINATED,
-    FAILED
-}; /* FAILED: after a step that could not be */
+/* FAILED: after a step that could not be. */
+enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED, FAILED };
 #define RESET_FIRST "reset the instance first"
 
 #define ALLOWED(call, name, states, early) call,
@@ -25,16 +20,10 @@ typedef enum {
 int slave_allows(const slave *s, slave_call call);
 slave_answer slave_check(slave *s, slave_call call);
 
-enum {
-    ASSEMBLY_FAILED = 101,
-    STEP_REFUSED = 103,
-    NOT_FINITE = 107
-}; /* fmu_src/status.py has them all */
-enum {
-    ROOM = 4096,
-    ROOM_OF_ROW = 512,
-    ROWS_SAID = 500
-}; /* of a text, in bytes; rows that it can have a sentence of */
+/* Codes of log lines; fmu_src/status.py has them all. */
+enum { ASSEMBLY_FAILED = 101, STEP_REFUSED = 103, NOT_FINITE = 107 };
+/* Of a text, in bytes; rows that it can have a sentence of. */
+enum { ROOM = 4096, ROOM_OF_ROW = 512, ROWS_SAID = 500 };
 
 /* Room of a slave's text for a mechanism with so many rows and rules. */
 #define slave_text_room(rows) (ROOM + ROOM_OF_ROW * ((rows) < ROWS_SAID ? (rows) : ROWS_SAID))

@@ -93,24 +93,22 @@ HM_SELDOM static void slip_changes(const context *c, int32_t f, double *change)
 static double normal_of(const context *c, int32_t i)
 { return -c->k.event_mu[row_of(c, c->m->contact_row[i])]; }
 
+/* Size of n slips, or of what acts along them, and their direction if wanted. */
+static double direction_of(int n, const double *x, double *along)
+{
+    double size2 = 0.0;
+    for (int k = 0; k < n; k++) size2 += hm_square(x[k]);
+    for (int k = 0; k < n && along; k++) along[k] = size2 > 0.0 ? x[k] / sqrt(size2) : 0.0;
+    return sqrt(size2);
+}
+
 /* Size of those of the multipliers mu that are of friction f, and these over it as a direction if
    wanted. */
 static double friction_force(const context *c, int32_t f, const double *mu, double *along)
 {
-    double size2 = 0.0;
-    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(mu[row_of(c, slip_row(c, f, k))]);
-    for (int k = 0; k < n_slips(c, f) && along; k++)
-        along[k] = size2 > 0.0 ? mu[row_of(c, slip_row(c, f, k))] / sqrt(size2) : 0.0;
-    return sqrt(size2);
-}
-
-/* Size of n slips, and their direction if wanted. */
-static double direction_of(int n, const double *slip, double *along)
-{
-    double size2 = 0.0;
-    for (int k = 0; k < n; k++) size2 += hm_square(slip[k]);
-    for (int k = 0; k < n && along; k++) along[k] = size2 > 0.0 ? slip[k] / sqrt(size2) : 0.0;
-    return sqrt(size2);
+    double own[3];
+    for (int k = 0; k < n_slips(c, f); k++) own[k] = mu[row_of(c, slip_row(c, f, k))];
+    return direction_of(n_slips(c, f), own, along);
 }
 
 /* Slip of friction f at the state, and its direction if wanted. */

@@ -131,12 +131,8 @@ HM_SELDOM static double weigh_rows(const contact_problem *x, const contact_parts
 
 /* -------------------------------------------------------------------------------------- choices */
 
-enum {
-    CHOICE_PUSHES,
-    CHOICE_PARTS,
-    CHOICE_PLUS,
-    CHOICE_MINUS
-}; /* pushes: and sticks where it may */
+/* CHOICE_PUSHES: and sticks where it may. */
+enum { CHOICE_PUSHES, CHOICE_PARTS, CHOICE_PLUS, CHOICE_MINUS };
 
 /* Direction of the impulse of contact i in row r by the choice at hand, for a normal impulse of
    1. */

@@ -23,10 +23,9 @@
 #define FALLS_ASLEEP 8.0
 #define TRAVEL_ROUND_OFF 1e-15
 
-enum {
-    WORTH_SLEEP = 8
-}; /* contacts: to look at fewer costs less than to follow the travel (one bouncing ball: 10 % of a
-      step) */
+/* Contacts: to look at fewer costs less than to follow the travel (one bouncing ball: 10 % of a
+   step). */
+enum { WORTH_SLEEP = 8 };
 
 static inline int is_asleep(const context *c, int32_t i)
 { return contact_of(c, i)[C_ASLEEP_UNTIL] > 0.0; }

@@ -18,10 +18,9 @@
 /* How a contact takes part in the second stage: RUBS, was closed before, in a half step whose
    frictions are deferred. */
 enum { IS_HELD, LANDS, LANDS_AMONG_MANY, RUBS };
-enum {
-    MANY_ROWS = 60
-}; /* of contacts, frictions and joints that rub: dense matrices of theirs are factored for each
-      piece of a path */
+/* Of contacts, frictions and joints that rub: dense matrices of theirs are factored for each piece
+   of a path. */
+enum { MANY_ROWS = 60 };
 
 static double booked(const context *c, int account)
 { return c->s.head[account] + c->s.head[account + 1]; }

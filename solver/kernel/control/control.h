@@ -26,9 +26,8 @@ enum { MAX_REPEATS = 40 };
     0.05 /* of the motion, or a body, in a pair that takes the place of an explicit step [rad] */
 #define PRESENT 0.9 /* times its cost, of the method that is in use */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
-enum {
-    MOST_CUTS = 1000
-}; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
+/* Of pieces in a communication step: 20 halvings of each of 50 slips that stop. */
+enum { MOST_CUTS = 1000 };
 #define MOMENT                                                                                     \
     1e4 /* half steps for which steps may be short where a contact changes or a force jumps: they  \
            foretell nothing */

@@ -18,9 +18,8 @@
    ends at a switch. */
 enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
-enum {
-    MOST_LOOKS = 8
-}; /* places at which an argument that comes near to its level is looked for to turn */
+/* Places at which an argument that comes near to its level is looked for to turn. */
+enum { MOST_LOOKS = 8 };
 #define COMES_NEAR                                                                                 \
     0.1 /* part of its way, within which it may touch the level: parabolas are as good as that */
 #define CLOSER                                                                                     \

@@ -6,11 +6,8 @@
 #include <stdint.h>
 #include <string.h>
 
-enum {
-    BILLION = 1000000000,
-    LIMBS = 90,
-    LIMB_DIGITS = 9
-}; /* 2^-1075 and its odd multiples have up to 770 digits */
+/* 2^-1075 and its odd multiples have up to 770 digits. */
+enum { BILLION = 1000000000, LIMBS = 90, LIMB_DIGITS = 9 };
 
 /* digit[0].digit[1] digit[2] ... 10^exponent; those behind `count` are 0. */
 typedef struct decimal {

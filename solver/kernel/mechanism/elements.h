@@ -18,11 +18,11 @@ typedef struct element_bound {
 
 typedef struct element_kind {
     double (*energy)(const context *c, int32_t j); /* stored at the state; quantities are known */
-    void (*add_sizes)(const context *c, int32_t j,
-                      double *sum); /* of what that and the drive's work are summed of */
-    element_work (*step)(const context *c, int32_t j);       /* in the step that is solved */
-    element_work (*rate)(const context *c, int32_t j,
-                         double time); /* in a time at the state's rates */
+    /* Of what that and the drive's work are summed of. */
+    void (*add_sizes)(const context *c, int32_t j, double *sum);
+    element_work (*step)(const context *c, int32_t j); /* in the step that is solved */
+    /* In a time at the state's rates. */
+    element_work (*rate)(const context *c, int32_t j, double time);
     element_bound (*bound)(const context *c, int32_t j);
 } element_kind;
 

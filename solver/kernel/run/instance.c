@@ -222,9 +222,8 @@ static int32_t place_of_variable(const holonom_instance *i, const hm_variable *v
     return v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0);
 }
 
-enum {
-    FEW_VALUES = 8
-}; /* of these each is measured with its group alone: fewer than there are groups to ask for */
+/* Of these each is measured with its group alone: fewer than there are groups to ask for. */
+enum { FEW_VALUES = 8 };
 
 static int32_t groups_of(const holonom_instance *i, int32_t place)
 {

@@ -8,9 +8,8 @@
 
 #include <string.h>
 
-enum {
-    NAME_ROOM = 256
-}; /* of a part of a sentence: names of scenes and parts have at most 200 characters */
+/* Of a part of a sentence: names of scenes and parts have at most 200 characters. */
+enum { NAME_ROOM = 256 };
 
 /* Where measurements lie among the numbers, which are not modified. */
 static inline hm_measured hm_measured_in(const hm_model_file *f, const double *numbers)

@@ -49,12 +49,8 @@ enum {
     1.5 /* times as far from the drawing as the pose that is taken: a drawing tells them apart no  \
            more */
 
-enum {
-    JOINTS,
-    DRIVERS,
-    TURN,
-    LED
-}; /* rows, by whether they follow signals; a whole turn of one of these */
+/* Rows, by whether they follow signals; a whole turn of one of these. */
+enum { JOINTS, DRIVERS, TURN, LED };
 
 /* Equations whose unknowns are turns of bodies, at the present state; gaps of the drawing (n_rows),
    and the part of them that is aimed at, of joints and of drivers; and of `turn` [rad], which row

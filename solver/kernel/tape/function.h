@@ -278,15 +278,15 @@ static int32_t function_slopes(const context *c, int32_t j, int asked, int is_ne
                                composite_result *result)
 {
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
-    const int is_velocity = is_point_function(c, j), straight = asked && is_linear(c, j);
+    const int at_mean = is_point_function(c, j), straight = asked && is_linear(c, j);
     const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
-    const int is_point = asked && !straight && is_velocity;
+    const int is_point = asked && !straight && at_mean;
     const int32_t status =
         is_next ? HOLONOM_OK : set_leaves(c, j, straight ? SLOPES_ALONE : asked, is_point, matrix);
     if (status) return status;
-    if (!is_next && !is_velocity) load_registers(c, j, OVER_STEP);
-    if (!is_next && is_velocity) load_means(c, j);
-    const int32_t last = is_velocity ? run_velocity_row(c, j, asked, is_next) : run_function(c, j);
+    if (!is_next && !at_mean) load_registers(c, j, OVER_STEP);
+    if (!is_next && at_mean) load_means(c, j);
+    const int32_t last = at_mean ? run_velocity_row(c, j, asked, is_next) : run_function(c, j);
     damp_slopes(c, j);
     leaf_state *leaf = (leaf_state *)c->k.leaves;
     for (int32_t l = 0; l < n && (straight || is_point); l++) leaf[l].n_end = c->k.r.adjoint[l];

@@ -157,10 +157,8 @@ HM_SELDOM static double first_left(const context *c, const switch_place *x, doub
     }
 }
 
-enum {
-    DEEPEST = 48,
-    MOST_RANGES = 4000
-}; /* halvings of an interval; ranges looked at until only its end is */
+/* Halvings of an interval; ranges looked at until only its end is. */
+enum { DEEPEST = 48, MOST_RANGES = 4000 };
 
 /* First time in (a, b] at which an argument leaves its side, or infinity. */
 HM_SELDOM static double leaves_between(const context *c, const switch_place *x, double side,
