@@ -384,9 +384,9 @@ static inline int32_t factorise_matrix(const context *c)
                    ? HOLONOM_SINGULAR_TANGENT
                    : HOLONOM_OK;
     const int fails = is_mostly_empty(c)
-                          ? hm_lu_factor_live(begin, end, lu->lu_ptr, lu->lu_column, target,
-                                              c->k.value, live_counts(c), live_columns(c))
-                          : hm_lu_factor(begin, end, lu->lu_ptr, target, c->k.value);
+                          ? hm_lu_factor_live(lu, begin, end, target, c->k.value, live_counts(c),
+                                              live_columns(c))
+                          : hm_lu_factor(lu, begin, end, target, c->k.value);
     return fails ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
 }
 
@@ -411,9 +411,8 @@ static inline void solve_factors(const context *c)
     const int32_t begin = first_pivot(c), end = end_pivot(c);
     if (has_groups(c)) hm_block_solve(lu, c->first_island, c->last_island, c->k.value, c->k.rhs);
     else if (is_mostly_empty(c))
-        hm_lu_solve_live(begin, end, lu->lu_ptr, live_counts(c), live_columns(c), c->k.value,
-                         c->k.rhs);
-    else hm_lu_solve(begin, end, lu->lu_ptr, lu->lu_column, c->k.value, c->k.rhs);
+        hm_lu_solve_live(lu, begin, end, live_counts(c), live_columns(c), c->k.value, c->k.rhs);
+    else hm_lu_solve(lu, begin, end, c->k.value, c->k.rhs);
 }
 
 #endif

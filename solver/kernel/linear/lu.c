@@ -45,9 +45,10 @@ static inline uint32_t neighbours(const int32_t *ptr, int32_t k)
 /* Pivots begin .. end - 1, an island or all. value (modified): matrix in, factors out, pivots
    inverted; `target` begins at the first pivot. Returns 0, or 1 at a pivot that is zero or not
    finite. */
-int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
-                     double *value)
+int32_t hm_lu_factor(const holonom_elimination *lu, int32_t begin, int32_t end,
+                     const int32_t *target, double *value)
 {
+    const int32_t *ptr = lu->lu_ptr;
     for (int32_t k = begin; k < end; k++) {
         double *diagonal = value + ptr[k];
         const uint32_t m = neighbours(ptr, k);
@@ -65,10 +66,11 @@ int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32
 /* Likewise of a matrix most of whose stored entries are 0, since few contacts are closed. Those of
    pivot k that are not go to the front, count[k] of them in U and L each, and their columns to the
    front of its part of `live`, which begins where that of `column` does. */
-int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
+int32_t hm_lu_factor_live(const holonom_elimination *lu, int32_t begin, int32_t end,
                           const int32_t *target, double *value, int32_t *count, int32_t *live)
 {
-    column += (ptr[begin] - begin) / 2, live += (ptr[begin] - begin) / 2;
+    const int32_t *ptr = lu->lu_ptr, *column = lu->lu_column + (ptr[begin] - begin) / 2;
+    live += (ptr[begin] - begin) / 2;
     for (int32_t k = begin; k < end; k++) {
         double *diagonal = value + ptr[k];
         const uint32_t m = neighbours(ptr, k);
@@ -111,14 +113,14 @@ HM_OFTEN void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_
     }
 }
 
-void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
-                 const double *value, double *x)
+void hm_lu_solve(const holonom_elimination *lu, int32_t begin, int32_t end, const double *value,
+                 double *x)
 {
-    solve(begin, end, ptr, NULL, column, value, x);
+    solve(begin, end, lu->lu_ptr, NULL, lu->lu_column, value, x);
 }
 
-void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count,
-                      const int32_t *live, const double *value, double *x)
+void hm_lu_solve_live(const holonom_elimination *lu, int32_t begin, int32_t end,
+                      const int32_t *count, const int32_t *live, const double *value, double *x)
 {
-    solve(begin, end, ptr, count, live, value, x);
+    solve(begin, end, lu->lu_ptr, count, live, value, x);
 }
