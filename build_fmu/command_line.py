@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from build_fmu.errors import EXIT_CODES, INTERRUPTED, LACK, USAGE, CommandError
-from build_fmu.report import scene_warnings
+from build_fmu.printing import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
 from solver.files import PAGE, RESULTS, TABLE, wrong_ending

@@ -10,7 +10,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from build_fmu.payload import package_folder
-from build_fmu.report import as_text
+from build_fmu.printing import as_text
 from build_fmu.study.values import counted
 from solver.options import TINY, tolerance_of
 from solver.runtime import Integrator

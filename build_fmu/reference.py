@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.motion import OF_THE_SOLUTION
-from build_fmu.study.csv_file import csv_table
+from build_fmu.study.csv_tables import csv_table
 from build_fmu.study.values import Mistake, nearest, refuse
 from solver.signals import Problem, arrays_over_time
 

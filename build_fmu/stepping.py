@@ -12,8 +12,8 @@ from build_fmu.errors import UsageError
 from build_fmu.fmpy_slaves import Recorder
 from build_fmu.fmu_runner import FmuRunner
 from build_fmu.instance import not_said_twice, start_time_of
-from build_fmu.reporting import Carried
 from build_fmu.run import RECORDED, communication_times
+from build_fmu.run_page import Carried
 from fmu_src.status import FATAL
 from viewer.live import StoppedError
 from viewer.packing import channels

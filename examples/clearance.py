@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from build_fmu import build
-from build_fmu.report import print_table
+from build_fmu.printing import print_table
 from build_fmu.run import run_fmu
 
 CRANK, ROD, PLAY = 0.05, 0.12, 0.5e-3

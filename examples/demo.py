@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING
 
 from build_fmu import build
 from build_fmu.errors import UsageError
-from build_fmu.report import print_table
+from build_fmu.printing import print_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -79,7 +79,7 @@ def run(fmu: Path, name: str) -> dict:
 def write_page(fmu: Path, runs: Sequence[dict]) -> None:
     """Write the page that shows the runs side by side."""
     from build_fmu.reference import columns_of
-    from build_fmu.reporting import Carried
+    from build_fmu.run_page import Carried
 
     carried, shown = Carried(fmu, str(SCENE)), []
     for name, result in zip(RUNS, runs, strict=True):

@@ -33,8 +33,8 @@ from solver.scene import (
     TorsionSpring,
 )
 from solver.scene.grammar import read
+from solver.scene.mistakes import location_of
 from solver.scene.positions import STRING, Path, spans_of
-from solver.scene.report import location_of
 from solver.scene.rewriting import AsIs, Written, less, value_of
 
 ROUND_OFF = 1e-12

@@ -18,9 +18,9 @@ from solver.mechanics.parts import Parts
 from solver.runtime import Integrator, OptionError
 from solver.runtime.layout import CLOSINGS
 from solver.scene import Scene, SceneWarning, load, loads
+from solver.scene.mistakes import location_of
 from solver.scene.overrides import value_of
 from solver.scene.positions import Path, spans_of
-from solver.scene.report import location_of
 from solver.scene.rewriting import UnwrittenError, Written, rewritten
 from solver.scene.rewriting import value_of as value_in
 

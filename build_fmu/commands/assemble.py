@@ -8,7 +8,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from build_fmu.errors import UsageError
-from build_fmu.report import number, print_json, print_table
+from build_fmu.printing import number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line, scene_overrides
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from build_fmu.errors import UsageError
-from build_fmu.report import print_json
+from build_fmu.printing import print_json
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import is_fmu, parts_and_model
 

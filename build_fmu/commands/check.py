@@ -18,7 +18,7 @@ from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.finer_run import Accuracy, accuracy
 from build_fmu.jumps import jumps
 from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual, losses
-from build_fmu.report import print_json, print_table, progress_bar
+from build_fmu.printing import print_json, print_table, progress_bar
 from build_fmu.run import run_fmu
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, runnable

@@ -13,7 +13,7 @@ from build_fmu.errors import UsageError
 from build_fmu.motion import LOSSES
 from build_fmu.package import NATIVE, package_of
 from build_fmu.platforms import library_scope, library_word
-from build_fmu.report import as_text, number, print_json, print_table
+from build_fmu.printing import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
 from solver.runtime import Integrator

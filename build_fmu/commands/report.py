@@ -8,7 +8,7 @@ from pathlib import Path
 
 from build_fmu.errors import UsageError
 from build_fmu.reference import columns_of
-from build_fmu.reporting import Carried, plain_values
+from build_fmu.run_page import Carried, plain_values
 from build_fmu.study.settings import fmu_settings, given_on_the_command_line
 from build_fmu.target import runnable
 

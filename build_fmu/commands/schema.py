@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from build_fmu.report import json_text
+from build_fmu.printing import json_text
 from solver.files import write_whole
 
 

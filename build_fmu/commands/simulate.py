@@ -16,7 +16,7 @@ from typing import IO, TYPE_CHECKING, Any
 
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.plotting import check_plot, plot_run
-from build_fmu.report import number, print_json, print_table, progress_bar
+from build_fmu.printing import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_by_paper, run_fmu
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, runnable
@@ -98,7 +98,7 @@ def simulate(
     if not arguments.report:
         keep(result)
         return result
-    from build_fmu.reporting import Carried, plain_values
+    from build_fmu.run_page import Carried, plain_values
 
     carried = Carried(path, arguments.target)
     shown = result if with_local else replace(result, values=result.values[carried.ports])

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.plotting import check_plot, plot_sweep
-from build_fmu.report import count_bar, number, print_json, print_table
+from build_fmu.printing import count_bar, number, print_json, print_table
 from build_fmu.study.settings import study_arguments
 from build_fmu.study.sweep import Sweep, sweep
 from build_fmu.study.values import counted
@@ -58,7 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _report(arguments: argparse.Namespace, found: Sweep) -> None:
-    from build_fmu.reporting import report_rows
+    from build_fmu.run_page import report_rows
     from build_fmu.study.settings import given_on_the_command_line
     from build_fmu.target import runnable
 

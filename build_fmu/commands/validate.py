@@ -7,7 +7,7 @@ import sys
 
 from build_fmu.archive_check import require_whole
 from build_fmu.errors import CHECK_FAILED
-from build_fmu.report import print_json
+from build_fmu.printing import print_json
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 from build_fmu.errors import UsageError
-from build_fmu.report import count_bar, print_json
+from build_fmu.printing import count_bar, print_json
 from build_fmu.study.settings import study_arguments
 from build_fmu.target import is_fmu
 
@@ -33,7 +33,7 @@ def run(arguments: argparse.Namespace) -> int:
     except SceneError as error:
         raise UsageError(str(error)) from None
     if arguments.report:
-        from build_fmu.reporting import report_rows
+        from build_fmu.run_page import report_rows
 
         rows = [(str(folder / v.fmu), {}, v.parameters) for v in made]
         sys.stderr.write(f"{report_rows(arguments.report, rows, scene)}\n")

@@ -38,7 +38,7 @@ def live_session(
     target: str, entries: Mapping[str, Entry], warnings: Iterable[str]
 ) -> Iterator[tuple[Session, str]]:
     """Session of a scene or FMU, which is stepped as long as this lasts, and its page."""
-    from build_fmu.reporting import Carried
+    from build_fmu.run_page import Carried
     from build_fmu.stepping import SteppedFmu
     from viewer.live import Session, StoppedError, live_page
 

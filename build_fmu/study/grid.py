@@ -18,7 +18,7 @@ from fractions import Fraction
 from os import PathLike
 from pathlib import Path
 
-from build_fmu.study.csv_file import csv_table
+from build_fmu.study.csv_tables import csv_table
 from build_fmu.study.values import (
     Entry,
     Mistake,

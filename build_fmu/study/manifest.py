@@ -10,8 +10,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from build_fmu.errors import UsageError
-from build_fmu.report import json_text
-from build_fmu.study.csv_file import cell, column_name
+from build_fmu.printing import json_text
+from build_fmu.study.csv_tables import cell, column_name
 from solver.files import read_whole, why_unwritable
 
 OWN_COLUMNS = ("variant", "fmu", "error")

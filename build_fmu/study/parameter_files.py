@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike
 from pathlib import Path
 
-from build_fmu.study.csv_file import csv_table
+from build_fmu.study.csv_tables import csv_table
 from build_fmu.study.ssv import read_parameter_set
 from build_fmu.study.values import Entry, Mistake, keep, not_finite, read_value
 
@@ -51,8 +51,8 @@ def entries_of_files(paths: Iterable[str | PathLike[str]]) -> dict[str, Entry]:
 def _tables(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
     """Values of the nested tables of TOML or JSON by dotted names."""
     from solver.scene import SceneError
+    from solver.scene.mistakes import location_of
     from solver.scene.positions import lines_of
-    from solver.scene.report import location_of
     from solver.scene.tables import tables_of, text_of
 
     text, notation, data = "", "", {}

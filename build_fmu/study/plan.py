@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
-from build_fmu.study.csv_file import column_name
+from build_fmu.study.csv_tables import column_name
 
 if TYPE_CHECKING:
     from numpy import dtype, ndarray

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from build_fmu.errors import EnvironmentLackError, UsageError
-from build_fmu.study.csv_file import cell
+from build_fmu.study.csv_tables import cell
 from build_fmu.study.plan import OWN_COLUMNS, Plan, Result
 from solver.extras import missing
 from solver.files import (

@@ -62,10 +62,10 @@ from solver.scene.joints import (
     Universal,
 )
 from solver.scene.meshes import ConvexContact, MeshContact
+from solver.scene.mistakes import Given, Problem, SceneError, SceneWarning, Source
 from solver.scene.parameters import Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.reader import load, loads
-from solver.scene.report import Given, Problem, SceneError, SceneWarning, Source
 from solver.scene.scene import Output, Scene, json_schema
 from solver.scene.settings import Experiment, SolverSettings
 from solver.scene.shapes import (

@@ -13,11 +13,11 @@ from solver.scene.draft import Draft
 from solver.scene.expression import Number, curves_of, evaluate
 from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint, Fixed
+from solver.scene.mistakes import Path, location_of
 from solver.scene.numbers import NumberChecks
 from solver.scene.parallel_axes import Groups
 from solver.scene.parameters import Input
 from solver.scene.profiles import Profile
-from solver.scene.report import Path, location_of
 
 LARGE = 100.0
 """Length in m from which it may be one in mm, and ratio of one to the next smaller of the scene."""

@@ -7,6 +7,7 @@ from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector, cos, sin
 from solver.scene.fields import BROKEN, Part, shown
 from solver.scene.inertia import SHAPES, Shape, read_inertia
+from solver.scene.mistakes import Path
 from solver.scene.orientation import InBodyAxes, Orientation, read_orientation, read_spin
 from solver.scene.quantities import (
     MOTION,
@@ -15,7 +16,6 @@ from solver.scene.quantities import (
     SCALAR_IN_THE_PLANE,
     Offer,
 )
-from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE
 
 if TYPE_CHECKING:

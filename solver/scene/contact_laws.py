@@ -11,8 +11,8 @@ from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
 from solver.scene.friction import SMOOTH_SPEED, check_sticking
+from solver.scene.mistakes import Path
 from solver.scene.quantities import COMPLIANT, CONTACT, FRICTION, Offer
-from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, PROPERTY, SHARE, Rule
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.joints import Pair as BodyPair
+from solver.scene.mistakes import Path
 from solver.scene.places import SAME
-from solver.scene.report import Path
 from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector, curves_of
 from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.mistakes import Path
 from solver.scene.profiles import check_smooth
 from solver.scene.quantities import CONTACT, VECTOR, Offer, turning
-from solver.scene.report import Path
 from solver.scene.rules import NOT_ZERO, POSITIVE, PROPERTY, SHARE, Place
 
 if TYPE_CHECKING:

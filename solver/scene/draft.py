@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from solver.options import removed
 from solver.scene.expression import Curve
 from solver.scene.fields import BROKEN, Part, fields_of, shown
-from solver.scene.report import Path, Problem, SceneError, Source, location_of
+from solver.scene.mistakes import Path, Problem, SceneError, Source, location_of
 from solver.scene.scene import TABLES, TYPES
 from solver.scene.words import did_you_mean, nearest
 

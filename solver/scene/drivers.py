@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from solver.scene import fields as kind
 from solver.scene.expression import Expr, Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.mistakes import Path
 from solver.scene.quantities import VECTOR, Level, Offer
-from solver.scene.report import Path
 from solver.scene.rules import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW, Place
 
 if TYPE_CHECKING:

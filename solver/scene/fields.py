@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
 from solver.scene import grammar
 from solver.scene.expression import ExpressionError, Vector
+from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
-from solver.scene.report import Path
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
 from solver.scene.units import in_si
 from solver.scene.words import did_you_mean

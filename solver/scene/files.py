@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from urllib.parse import quote, unquote
 
 from solver.files import read_whole
-from solver.scene.report import Path
+from solver.scene.mistakes import Path
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
-from solver.scene.report import Path
 from solver.scene.rules import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
+from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer, turning
-from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, PROPERTY
 
 if TYPE_CHECKING:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Choice, Components, Part, Quantity, fields_of, shown
+from solver.scene.mistakes import Path
 from solver.scene.principal_moments import (
     composed,
     excess,
@@ -19,7 +20,6 @@ from solver.scene.principal_moments import (
     nearest,
     principal,
 )
-from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE
 
 if TYPE_CHECKING:

@@ -31,8 +31,8 @@ from solver.scene.couplings import (
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import Part
 from solver.scene.friction import ABOUT, ALONG, FRICTION, FRICTION_ALONG, JointFriction
+from solver.scene.mistakes import Path
 from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, Offer
-from solver.scene.report import Path
 from solver.scene.rules import NOT_ZERO
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from solver.scene import fields as kind
 from solver.scene.contacts import check_size
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.mistakes import Path
 from solver.scene.numbers import unknown_end
-from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, SHARE
 from solver.scene.words import a, did_you_mean, listed
 

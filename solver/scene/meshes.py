@@ -18,7 +18,7 @@ from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
 from solver.scene.files import DataFile, read_file
-from solver.scene.report import Path
+from solver.scene.mistakes import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
 from solver.scene.shapes import PairContact
 

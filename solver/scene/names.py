@@ -10,9 +10,9 @@ from solver.files import is_reserved
 from solver.scene.contact_laws import is_compliant
 from solver.scene.draft import Draft
 from solver.scene.expression import FUNCTIONS, MECHANISM_FUNCTIONS
+from solver.scene.mistakes import Path
 from solver.scene.numbers import Known
 from solver.scene.quantities import MOTION, Offer
-from solver.scene.report import Path
 from solver.scene.scene import LONGEST, NAME, NOUNS, TABLES, TYPES
 from solver.scene.words import a
 

@@ -22,8 +22,8 @@ from solver.scene.expression import (
 )
 from solver.scene.fields import BROKEN
 from solver.scene.grammar import Mention, ParsedNumber
+from solver.scene.mistakes import Path
 from solver.scene.quantities import Level, Offer, quantities
-from solver.scene.report import Path
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
 from solver.scene.units import in_si
 from solver.scene.words import a, did_you_mean, nearest

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector, cos, operate, select, sin, sqrt
 from solver.scene.fields import BROKEN, Part
+from solver.scene.mistakes import Path
 from solver.scene.numbers import dot, times
-from solver.scene.report import Path
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader

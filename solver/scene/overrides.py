@@ -12,7 +12,7 @@ from typing import Any
 
 from solver.scene.fields import fields_of, shown
 from solver.scene.grammar import is_readable
-from solver.scene.report import Given, Path, Problem, location_of, path_of
+from solver.scene.mistakes import Given, Path, Problem, location_of, path_of
 from solver.scene.scene import HEADING, NOUNS, TABLES
 from solver.scene.words import did_you_mean, nearest
 

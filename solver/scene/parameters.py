@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
-from solver.scene.report import Path
+from solver.scene.mistakes import Path
 from solver.scene.rules import PARAMETER
 from solver.scene.units import not_of_si, spelled
 

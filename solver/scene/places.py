@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.scene.expression import ExpressionError, Vector, symbols
+from solver.scene.mistakes import Path
 from solver.scene.numbers import Known, NumberChecks, times
-from solver.scene.report import Path
 
 if TYPE_CHECKING:
     from solver.scene.bodies import Rigid

@@ -23,7 +23,7 @@ from solver.scene import fields as kind
 from solver.scene.expression import FUNCTIONS, Curve
 from solver.scene.fields import BROKEN, Part, shown
 from solver.scene.files import number, rows_of_table
-from solver.scene.report import Path
+from solver.scene.mistakes import Path
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft

@@ -21,13 +21,7 @@ from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
 from solver.scene.fields import BROKEN, Part, fields_of
 from solver.scene.looks import read_view
-from solver.scene.names import check_body_points, check_names, check_scene_name, known_names
-from solver.scene.overrides import apply_overrides
-from solver.scene.parallel_axes import align_axes
-from solver.scene.parameters import read_parameters
-from solver.scene.profiles import Profile, read_profiles
-from solver.scene.references import Reader
-from solver.scene.report import (
+from solver.scene.mistakes import (
     Path,
     SceneError,
     SceneWarning,
@@ -35,6 +29,12 @@ from solver.scene.report import (
     in_order,
     location_of,
 )
+from solver.scene.names import check_body_points, check_names, check_scene_name, known_names
+from solver.scene.overrides import apply_overrides
+from solver.scene.parallel_axes import align_axes
+from solver.scene.parameters import read_parameters
+from solver.scene.profiles import Profile, read_profiles
+from solver.scene.references import Reader
 from solver.scene.scene import HEADING, Scene
 from solver.scene.settings import read_ports, read_settings
 from solver.scene.tables import tables_of, text_of

@@ -12,10 +12,10 @@ from typing import Any
 from solver.scene.draft import Draft
 from solver.scene.expression import Vector
 from solver.scene.fields import BROKEN, Part, PointReference, fields_of, shown
+from solver.scene.mistakes import Path
 from solver.scene.numbers import Known, unknown_end
 from solver.scene.places import Places, same
 from solver.scene.profiles import Profile
-from solver.scene.report import Path
 from solver.scene.scene import TYPES
 from solver.scene.words import a, did_you_mean
 

@@ -22,9 +22,9 @@ from solver.scene.forces import FORCES
 from solver.scene.joints import JOINTS
 from solver.scene.looks import LOOKS, View
 from solver.scene.meshes import MESHES
+from solver.scene.mistakes import Problem, SceneError, Source
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.profiles import Profile
-from solver.scene.report import Problem, SceneError, Source
 from solver.scene.rules import OUTPUT
 from solver.scene.settings import Experiment, Ports, SolverSettings
 from solver.scene.shapes import SHAPES

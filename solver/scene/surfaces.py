@@ -12,8 +12,8 @@ from solver.scene.couplings import check_point_and_body, read_surface
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
 from solver.scene.files import DataFile, number, read_file, rows_of_table
+from solver.scene.mistakes import Path
 from solver.scene.profiles import check_smooth
-from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
 from solver.scene.words import a, did_you_mean
 

@@ -11,8 +11,8 @@ from typing import Any, NoReturn
 from solver.files import read_whole
 from solver.scene.fields import shown
 from solver.scene.grammar import is_readable
+from solver.scene.mistakes import Problem, SceneError, Source, location_of
 from solver.scene.positions import first_of_repeated, lines_of_json
-from solver.scene.report import Problem, SceneError, Source, location_of
 from solver.scene.units import in_si
 
 if sys.version_info >= (3, 11):

@@ -14,7 +14,7 @@ from build_fmu import build
 from build_fmu.command_line import main, setting
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.instance import check_unpack_folder
-from build_fmu.report import progress_bar
+from build_fmu.printing import progress_bar
 from build_fmu.run import run_fmu
 from examples import demo
 from tests.support.fmus.commands import run

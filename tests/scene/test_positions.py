@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from solver.scene.mistakes import location_of, path_of
 from solver.scene.positions import lines_of, lines_of_json
-from solver.scene.report import location_of, path_of
 from tests.support.mechanisms.nested_data import paths_of
 from tests.support.mechanisms.scene_files import ALL
 

@@ -17,7 +17,7 @@ import build_fmu
 from build_fmu.errors import UsageError
 from build_fmu.study import stores
 from build_fmu.study import sweep as sweep_module
-from build_fmu.study.csv_file import cell
+from build_fmu.study.csv_tables import cell
 from build_fmu.study.processes import DIED
 from tests.support.fmus.crashing_runs import FATAL, crashing
 from tests.support.fmus.fmu_instance import pendulum

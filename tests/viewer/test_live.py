@@ -15,7 +15,7 @@ import sys
 import numpy as np
 import pytest
 
-from build_fmu.reporting import Carried
+from build_fmu.run_page import Carried
 from build_fmu.stepping import SteppedFmu
 from tests.support.fmus.commands import run
 from tests.support.hanging import HANGS

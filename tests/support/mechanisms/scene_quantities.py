@@ -5,9 +5,9 @@ from __future__ import annotations
 import sys
 
 from solver.scene.draft import Draft
+from solver.scene.mistakes import Source
 from solver.scene.names import offered
 from solver.scene.quantities import quantities
-from solver.scene.report import Source
 from tests.support.mechanisms.scene_files import touches
 
 if sys.version_info >= (3, 11):

@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 
 from build_fmu.errors import UsageError
 from build_fmu.instance import description_of
-from build_fmu.report import as_text
+from build_fmu.printing import as_text
 from build_fmu.run import RECORDED, run_fmu
 
 if TYPE_CHECKING:
