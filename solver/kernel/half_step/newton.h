@@ -17,11 +17,13 @@ static void update_multipliers(context *c)
 }
 
 /* P x of multipliers x (modified), P = epsilon (G A^-1 G' + epsilon)^-1: what an Uzawa update with
-   the factors at hand leaves of their error. */
+   the factors at hand leaves of their error; that of a sliding row follows its cone. */
 HM_SELDOM static void contract_multipliers(const context *c, double *x)
 {
     memset(c->k.rhs + first_pivot(c), 0, sizeof(double) * (size_t)(end_pivot(c) - first_pivot(c)));
-    EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -c->k.epsilon[i] * x[i];
+    EACH_ROW(c, i)
+        if (state_of_multiplier(c, i) != ROW_IS_SLIDING)
+            c->k.rhs[c->lu->row_position[i]] = -c->k.epsilon[i] * x[i];
     solve_factors(c);
     EACH_ROW(c, i) x[i] = c->k.rhs[c->lu->row_position[i]];
 }
