@@ -156,11 +156,24 @@ static context rows_at_state(const context *c)
     return rows;
 }
 
+/* Their number, and they: multipliers of rows that are on. */
+static inline int32_t *rows_on(const context *c) { return (int32_t *)(void *)c->k.rows_on; }
+
+/* Lists the multipliers whose rows are on, which the factors at hand join to the motion. */
+static void list_rows_on(const context *rows)
+{
+    int32_t *on = rows_on(rows), n = 0;
+    EACH_ROW(rows, i)
+        if (state_of_multiplier(rows, i) != ROW_IS_OFF) on[++n] = i;
+    on[0] = n;
+}
+
 /* Factors of these equations. */
 static int32_t factorise_at_state(const context *c)
 {
     const context rows = rows_at_state(c);
     const int32_t status = assemble_tangent(&rows);
+    list_rows_on(&rows);
     return status ? status : factorise_matrix(&rows);
 }
 
@@ -171,18 +184,22 @@ static int32_t factorise_at_state(const context *c)
 static void solve_with_factors(const context *c)
 {
     const context rows = rows_at_state(c); /* mu = 0 */
+    const int32_t *on = rows_on(c), n = *on++, *position = rows.lu->row_position;
     double largest = 0.0, change = INFINITY;
+    EACH_ROW(&rows, i) c->k.rhs[position[i]] = 0.0;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         gather_momentum(&rows);
-        EACH_ROW(&rows, i)
-            c->k.rhs[rows.lu->row_position[i]] =
-                state_of_multiplier(c, i) == ROW_IS_SLIDING
-                    ? -c->k.epsilon[i] * c->k.phi[i]
-                    : -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
+        for (int32_t j = 0; j < n; j++) {
+            const int32_t i = on[j];
+            c->k.rhs[position[i]] = state_of_multiplier(c, i) == ROW_IS_SLIDING
+                                        ? -c->k.epsilon[i] * c->k.phi[i]
+                                        : -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
+        }
         solve_factors(&rows);
         largest = change = 0.0;
-        EACH_ROW(&rows, i) {
-            const double mu = c->k.rhs[rows.lu->row_position[i]];
+        for (int32_t j = 0; j < n; j++) {
+            const int32_t i = on[j];
+            const double mu = c->k.rhs[position[i]];
             change = fmax(change,
                           c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */
             largest = fmax(largest, c->k.epsilon[i] * fabs(mu));
