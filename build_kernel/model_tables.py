@@ -289,14 +289,11 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
     ])  # fmt: skip
 
     def of_factors(formula: str) -> str:
-        # All kinds of factors are checked alike: the number of pivots and values are arguments.
-        given = {"n_lu_values": "n_values", "n_pivots": "n_pivots"}
-        return given.get(formula) or in_c(formula)
+        # All kinds of factors are checked alike: the number of values is an argument.
+        return "n_values" if formula == "n_lu_values" else in_c(formula)
 
     rules = _rules(layout["ELIMINATION"], "e->", _places(layout["ELIMINATION"]), of_factors)
-    arguments = (
-        ", const holonom_elimination *e, const int32_t *length, int64_t n_pivots, int64_t n_values"
-    )
+    arguments = ", const holonom_elimination *e, const int32_t *length, int64_t n_values"
     yield FUNCTION.format("has_factors", arguments, rules)
     own = {name: tables[name] for name in _own_tables(layout)}
     rules = _rules(own, "m->", _places(tables), in_c)

@@ -56,8 +56,7 @@ SKIPS = {
     "low penalty": 64,
     "islands": 128,
     "fresh factors": 256,
-    "directors": 512,
-    "far contacts": 1024,
+    "far contacts": 512,
 }
 """Bits of `enum skip`, by their names in `docs/skips.md`."""
 ALL = sum(SKIPS.values())

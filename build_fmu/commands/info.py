@@ -124,17 +124,16 @@ def _step(model: Model, redundant: bool) -> dict[str, Any]:
     """
     located = model.settings.get("contact_mode") == "located" and model.sizes["unilateral"]
     sizes, dim = model.sizes, model.sizes["dim"]
-    turns = bool(sizes["n_reduced_values"])
-    replaced = (3 if dim == 3 else 1) * sizes["n_bodies"] if turns else 0  # directors, by turns
-    pivots = pairwise(model.tables["reduced_lu_group"][::3])
+    replaced = (3 if dim == 3 else 1) * sizes["n_bodies"]  # directors, by turns
+    pivots = pairwise(model.tables["lu_group"][::3])
     return {
         "early_updates": redundant or not located,
         "coordinates": dim * (sizes["n_free"] - replaced),
         "turns": replaced,
-        "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),
-        "factors": sizes["n_reduced_values" if turns else "n_lu_values"],
-        "lean_factors": sizes["n_lean_values"] if turns or not sizes["n_bodies"] else 0,
-        "articulated_bodies": turns * sum(b - a >= LEAST_WITH_JOINT for a, b in pivots),
+        "multipliers": sizes["n_rows"] - sizes["n_rigidity_rows"],
+        "factors": sizes["n_lu_values"],
+        "lean_factors": sizes["n_lean_values"],
+        "articulated_bodies": sum(b - a >= LEAST_WITH_JOINT for a, b in pivots),
     }
 
 

@@ -87,8 +87,6 @@ typedef struct context {
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many */
     int samples; /* whether held inputs have jumped by what samples of a smooth course do, see
                     advance.h */
-    int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h */
-    double *move;       /* increments of the unknowns: d, or those of a reduced step */
     int constraints_only;      /* 1: only the rows act */
     int careful; /* 1: smooth frictions have steeper slopes in the tangent: a step has failed */
     int at_state;              /* 1: there is no step, and slips are those of the velocities */
@@ -119,9 +117,9 @@ typedef struct context {
     int32_t first_island, last_island;
     const int32_t *begin, *end;
     double *island;
-    span node, form_row[2], all_row[5], all_composite[4];
+    span node, all_row[4], all_composite[4];
     const span *row, *composite;
-    int form_rows, rows, composites, all_rows, all_composites;
+    int rows, composites, all_rows, all_composites;
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h */
     /* Of each index the first one from it on that is near; NULL: all are. */
@@ -156,13 +154,12 @@ HM_OFTEN int is_stopped(const context *c)
          i##_in++)                                                                                 \
         for (int32_t i = i##_in->begin, i##_end = i##_in->end; i < i##_end; i++)
 #define EACH_ROW(c, i) EACH_IN(c, rows, row, i)
-#define EACH_FORM_ROW(c, i) EACH_IN(c, form_rows, form_row, i)
+#define EACH_FORM_ROW(c, i) for IN_ISLAND(c, i, ISLAND_FORM_ROW)
 #define EACH_NODE(c, a) for (int32_t a = (c)->node.begin, a##_end = (c)->node.end; a < a##_end; a++)
 #define EACH_COORDINATE(c, k)                                                                      \
     for (int32_t k = DIM * (c)->node.begin, k##_end = DIM * (c)->node.end; k < k##_end; k++)
-/* Bodies whose turns are unknowns of the step at hand. */
 #define EACH_TURN(c, b)                                                                            \
-    for (int32_t b = (c)->begin[ISLAND_BODY]; is_reduced(c) && b < (c)->end[ISLAND_BODY]; b++)
+    for (int32_t b = (c)->begin[ISLAND_BODY]; has_turns(c) && b < (c)->end[ISLAND_BODY]; b++)
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
 
 /* x (DIM n_moving) becomes 0 at the nodes at hand. */
@@ -172,8 +169,11 @@ static inline void clear_nodes(const context *c, double *x)
            sizeof(double) * (size_t)(DIM * (c->node.end - c->node.begin)));
 }
 
-/* Whether the step at hand has turns of bodies for unknowns. */
-static inline int is_reduced(const context *c) { return HM_BODIES && c->reduced; }
+/* Whether there are bodies, whose turns are the unknowns of their directors. */
+static inline int has_turns(const context *c) { return n_bodies(c->m) > 0; }
+
+/* Increments of the unknowns: d, or with turns in the place of those of first directors. */
+static inline double *move_of(const context *c) { return has_turns(c) ? c->k.move : c->k.d; }
 
 /* Adds begin .. end - 1 to `count` pieces, to the last one if it ends there. */
 HM_OFTEN int add_piece(span *piece, int count, int32_t begin, int32_t end)
@@ -198,16 +198,13 @@ static inline int32_t next_near(const context *c, enum near_list list, int32_t i
 /* Function rows (k = ISLAND_FUNCTION) or velocity rows (ISLAND_VELOCITY) of the islands at hand. */
 #define EACH_ROW_OF_KIND(c, j, k) EACH_NEAR(c, NEAR_ROWS, j, (c)->begin[k], (c)->end[k])
 
-/* Pieces of rows and composites of an island, or of all behind the last one, with turns of bodies
-   for unknowns or without. */
+/* Pieces of rows and composites of an island, or of all behind the last one. */
 typedef struct near_slice {
     int32_t row, rows, composite, composites;
 } near_slice;
 
-static inline near_slice *slice_of(const context *c, int turns, int32_t island)
-{
-    return (near_slice *)(void *)c->k.near_slice + (turns ? c->m->n_islands + 1 : 0) + island;
-}
+static inline near_slice *slice_of(const context *c, int32_t island)
+{ return (near_slice *)(void *)c->k.near_slice + island; }
 
 /* Lets rows that are off be at hand, too, but for those of contacts that are far. */
 static inline void take_all_rows(context *c)
@@ -215,7 +212,7 @@ static inline void take_all_rows(context *c)
     c->left_out = c->asleep = 0;
     if (c->near[NEAR_CONTACTS]) {
         const int32_t n = c->m->n_islands, is_one = c->last_island == c->first_island + 1;
-        const near_slice *own = slice_of(c, c->reduced, is_one ? c->first_island : n);
+        const near_slice *own = slice_of(c, is_one ? c->first_island : n);
         const span *piece = (const span *)(void *)c->k.near_pieces;
         c->row = piece + own->row, c->composite = piece + own->composite;
         c->rows = own->rows, c->composites = own->composites;
@@ -229,9 +226,7 @@ static inline void take_all_rows(context *c)
    number. */
 static int bilateral_pieces(const context *c, span *row)
 {
-    int rows = 0;
-    for (int k = 0; k < c->form_rows; k++)
-        rows = add_piece(row, rows, c->form_row[k].begin, c->form_row[k].end);
+    const int rows = add_piece(row, 0, c->begin[ISLAND_FORM_ROW], c->end[ISLAND_FORM_ROW]);
     return add_piece(row, rows, c->m->n_form_rows + DIM * c->begin[ISLAND_COINCIDENCE],
                      c->m->n_form_rows + DIM * c->end[ISLAND_COINCIDENCE]);
 }
@@ -250,10 +245,6 @@ static void look_at(context *c, int32_t first, int32_t last)
         (span){begin[ISLAND_FREE],
                begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
     c->all_composites = 0;
-    c->form_rows = add_piece(c->form_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
-    if (!is_reduced(c))
-        c->form_rows =
-            add_piece(c->form_row, c->form_rows, begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]);
     c->all_rows = bilateral_pieces(c, c->all_row);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         c->all_rows = add_piece(c->all_row, c->all_rows, first_function + begin[k] - m->n_elements,
@@ -281,24 +272,16 @@ static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; }
 /* Factors without rows of contacts and frictions. */
 static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }
 
-/* Lets turns of bodies be the unknowns of the step at hand, or coordinates of all nodes. All
-   islands are at hand then. */
-static void use_unknowns(context *c, int turns)
+/* Lets all islands be at hand, and the whole tangent. */
+static void look_at_all(context *c)
 {
-    const int same = c->reduced == turns;
-    c->reduced = turns;
-    c->move = turns ? c->k.move : c->k.d;
-    c->lu = turns ? &c->m->reduced : &c->m->full;
-    if (!same || c->m->n_islands > 1 || c->left_out) look_at(c, 0, c->m->n_islands);
+    c->lu = &c->m->full;
+    if (c->m->n_islands > 1 || c->left_out) look_at(c, 0, c->m->n_islands);
 }
 
 /* Factors of the whole tangent, and lean ones, that serve. */
 static inline const holonom_elimination *full_factors(const context *c)
-{
-    if (c->asleep && c->m->n_open_values && is_reduced(c) == (n_bodies(c->m) > 0))
-        return &c->m->open;
-    return is_reduced(c) ? &c->m->reduced : &c->m->full;
-}
+{ return c->asleep && c->m->n_open_values ? &c->m->open : &c->m->full; }
 
 static inline const holonom_elimination *lean_factors(const context *c)
 {
@@ -355,8 +338,8 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     for (int32_t f = 0; f < n_frictions(m); f++)
         c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
-    c->reduced = -1; /* neither, so that islands are looked at */
-    use_unknowns(c, 0);
+    c->lu = &m->full;
+    look_at(c, 0, m->n_islands);
     c->event = (event_at_hand){0};
     c->kept_factors = (kept_factors){.lu = c->lu};
     c->secants = (secant_pairs){.lu = c->lu};

@@ -73,8 +73,7 @@ enum skip {
     SKIP_LOW_PENALTY = 64,    /* raised in long chains: follow_contraction */
     SKIP_ISLANDS = 128,       /* each solved by itself: n_apart */
     SKIP_FRESH_FACTORS = 256, /* those of the half step before: take_factors_over */
-    SKIP_DIRECTORS = 512,     /* turns in their place: may_reduce */
-    SKIP_FAR_CONTACTS = 1024  /* that sleep until they might touch: look_far */
+    SKIP_FAR_CONTACTS = 512   /* that sleep until they might touch: look_far */
 };
 #ifndef HOLONOM_WITHOUT
 #define HOLONOM_WITHOUT 0

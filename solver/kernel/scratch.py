@@ -33,11 +33,11 @@ WORK = {
     "epsilon": "n_rows",  # compliance 2/alpha or 1/alpha
     "hv": "n", "w": "n", "d": "n",  # h v, unknown d - h v, increment d
     "momentum": "n",  # residual of the momentum balance
-    "move": "n",  # increments of the unknowns in a reduced step, turns with first directors
+    "move": "n",  # increments of the unknowns, turns with first directors
     "turn": "n",  # part that is solved for; behind it that before the last increment
     "spun": "n",  # the other part, h omega; behind it what rounding to 24 bits has left out
     "internal": "n",  # h n_i of directors, see body_turns.h
-    "middle": "n", "turned": "n",  # directors in the middle and at the end of a reduced step
+    "middle": "n", "turned": "n",  # directors in the middle and at the end of a step
     "nodal": "n",  # momentum balance of directors before it is reduced to torques
     "torque": "n",  # on bodies, with their first directors: of rows between axes, then of all
     "bend": "n",  # what a turn does to its own torque, TURNING^2 each, likewise
@@ -57,8 +57,8 @@ WORK = {
     # integers of far_contacts.h: lists of what is near, forms of these, and pieces of them
     "near": "unilateral * (n_owners + n_composites + n_linked + n_active + 5)",
     "near_form": "unilateral * n_forms",
-    "near_slice": "unilateral * (8 * n_islands + 8)",
-    "near_pieces": "unilateral * (8 * (n_function_rows + n_velocity_rows) + 10 * n_islands + 10)",
+    "near_slice": "unilateral * (4 * n_islands + 4)",
+    "near_pieces": "unilateral * (4 * (n_function_rows + n_velocity_rows) + 5 * n_islands + 5)",
     "live": "n_lu_values * unilateral",  # integers, see factorise_matrix
     "local": "n_local_forms * n_form_numbers",  # links and values of the forms of a composite
     "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end

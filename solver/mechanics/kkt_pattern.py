@@ -113,8 +113,8 @@ class TangentPattern:
 
     A lean one (or a bare one) has no stiffness: only masses couple nodes. An open or bare one has
     no rows of contacts and frictions: they come last, coupled to nothing, with their diagonals for
-    all their slots. A reduced one has the turn of each body in the place of its directors, and no
-    rows that keep these rigid.
+    all their slots. The turn of each body has the place of its directors, and rows that keep these
+    rigid have none.
     """
 
     def __init__(
@@ -122,8 +122,6 @@ class TangentPattern:
         structure: Structure,
         anchors: Sequence[Nodes],
         kind: str = "",
-        *,
-        reduced: bool = False,
         trees: Sequence[CarriedBody] = (),
     ) -> None:  # fmt: skip
         self.structure, self.kind = structure, kind
@@ -142,14 +140,13 @@ class TangentPattern:
         """Whether an item is a director that turns with its body."""
         self.block = [*range(self.ends[-1])]
         """Of an item: the one whose places in the order it has. Rows that hold anyway have -1."""
-        if reduced:
-            self.turning[: len(nodes)] = [structure.node_kinds[n] > 0 for n in nodes]
-            self.block[: len(nodes)] = map(structure.unknown, nodes)
-            self.block[self.ends[1] : self.ends[2]] = [-1] * (self.ends[2] - self.ends[1])
-            self.sizes[: len(nodes)] = [
-                2 * dim - 3 if turns else dim for turns in self.turning[: len(nodes)]
-            ]
-        self.contributions = self._contributions(reduced=reduced)
+        self.turning[: len(nodes)] = [structure.node_kinds[n] > 0 for n in nodes]
+        self.block[: len(nodes)] = map(structure.unknown, nodes)
+        self.block[self.ends[1] : self.ends[2]] = [-1] * (self.ends[2] - self.ends[1])
+        self.sizes[: len(nodes)] = [
+            2 * dim - 3 if turns else dim for turns in self.turning[: len(nodes)]
+        ]
+        self.contributions = self._contributions()
         loose = self._loose()
         asleep: frozenset[int] = frozenset()
         if kind in ("open_", "bare_"):
@@ -161,7 +158,7 @@ class TangentPattern:
             if asleep.issuperset(row):
                 pieces[:] = [(row, row, BLOCKS)] * self._n_elements(pieces)
         few = bool(asleep) or len(structure.mechanism.contacts) <= FEW_CONTACTS
-        self.grouped = reduced and few
+        self.grouped = bool(structure.bodies.items) and few
         """Whether pivots make groups: of many contacts few are closed, and most entries zero."""
         blocks = sorted({*self.block} - {-1})
         number = {block: k for k, block in enumerate(blocks)}
@@ -191,15 +188,16 @@ class TangentPattern:
 
     # -------------------------------------------------------------------------- contributions
 
-    def _contributions(self, *, reduced: bool) -> dict[str, list[list[Piece]]]:
+    def _contributions(self) -> dict[str, list[list[Piece]]]:
         structure, ends, links = self.structure, self.ends, self.structure.coincidences.items
         n_elements, n_potentials = len(structure.elements), len(structure.potentials)
         rows = [None] * n_elements + [*range(ends[3], ends[5])] + [None] * n_potentials
         between_free = structure.masses[: len(structure.free_masses)]
-        kept = structure.joint_rows.items if reduced else structure.form_rows.items
+        kept = structure.joint_rows.items
+        first = [structure.node_of[body] for body in structure.bodies.items]
         found: dict[str, list[list[Piece]]] = {
             "mass": [[] if self.turning[a] else [((a,), (b,), EQUAL)] for a, b, _ in between_free],
-            "inertia": [],
+            "inertia": [[((a,), (a,), BLOCKS)] for a in first],
             "row": [self._form_row(row.form, k) for k, row in enumerate(kept, ends[0])],
             "coincidence": [
                 self._link(row.form, k) for k, row in enumerate(links, ends[2])
@@ -214,9 +212,6 @@ class TangentPattern:
             "body_moment": [],
         }  # fmt: skip
         found["row"] += [[] for _ in range(len(structure.form_rows) - len(kept))]
-        if reduced:
-            first = [structure.node_of[body] for body in structure.bodies.items]
-            found["inertia"] = [[((a,), (a,), BLOCKS)] for a in first]
         if not self.lean:
             followers = map(self._follower, structure.loads.items)
             found["load"] = [[(*x, BLOCKS)] if x else [] for x in followers]
@@ -449,25 +444,24 @@ def _border(nodes: Nodes, row: int) -> list[Piece]:
 
 
 def eliminations(structure: Structure) -> dict[str, array]:
-    """Return the tables of the full tangent's elimination, and of others where they are cheaper.
+    """Return the tables of the whole tangent's elimination, and of others where they are cheaper.
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
     Of one to three bodies they can take more instructions, in more groups of pivots; they are left
     out then.
     """
-    anchors = RowOrder(structure).of_rows()
-    reduced = bool(structure.bodies.items)
-    full, trees = TangentPattern(structure, anchors), carried_bodies(structure)
+    anchors, trees = RowOrder(structure).of_rows(), carried_bodies(structure)
+    whole = TangentPattern(structure, anchors, trees=trees)
 
     def smaller(kind: str) -> TangentPattern:
-        """Return a tangent that fits into the memory of the full one, with trees if it can."""
-        found = TangentPattern(structure, anchors, kind, reduced=reduced, trees=trees)
-        if trees and found.pattern.n_entries > full.pattern.n_entries:
-            return TangentPattern(structure, anchors, kind, reduced=reduced)
+        """Return a tangent that fits into the memory of the whole one, with trees if it can."""
+        found = TangentPattern(structure, anchors, kind, trees)
+        if trees and found.pattern.n_entries > whole.pattern.n_entries:
+            return TangentPattern(structure, anchors, kind)
         return found
 
-    whole, lean = smaller("reduced_") if reduced else full, smaller("lean_")
-    used = [full, whole] if reduced else [full]
+    lean = smaller("lean_")
+    used = [whole]
     kinds = ["open_"]
     cheaper = lean.pattern.n_operations <= whole.pattern.n_operations
     if cheaper and 2 * lean.pattern.n_products <= whole.pattern.n_products:
@@ -478,7 +472,7 @@ def eliminations(structure: Structure) -> dict[str, array]:
     kinds = tuple(f"{kind}_" for kind in FACTORS)
     found = {name: array("i") for name in TABLES if name.startswith(kinds)}
     for pattern in used:
-        if pattern.pattern.n_entries <= full.pattern.n_entries:  # all live in the same memory
+        if pattern.pattern.n_entries <= whole.pattern.n_entries:  # all live in the same memory
             found |= pattern.tables()
     return found
 

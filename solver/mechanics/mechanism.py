@@ -25,8 +25,11 @@ from solver.scene.expression import atan2, sqrt
 
 FREE, DRIVEN, FIXED = 0, 1, 2
 """How a node moves."""
-GIVEN = 1e8
-"""Weight of a velocity that the scene gives, against 1, when velocities are made consistent."""
+GIVEN = 2.0**26
+"""Weight of a velocity that the scene gives, against 1, when velocities are made consistent.
+
+The square of a power of 2, so that masses times it and back are what they were.
+"""
 
 
 @dataclass(slots=True)

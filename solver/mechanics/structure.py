@@ -159,7 +159,7 @@ class Structure:
         return found
 
     def unknown(self, node: int) -> int:
-        """Return the free node whose unknowns move a free node, in a reduced tangent.
+        """Return the free node whose unknowns move a free node.
 
         They are its own or, of a director, those of the first one: the turn of the body.
         """
@@ -251,18 +251,17 @@ class Structure:
     def linked(self) -> tuple[Ordered[int], ...]:
         """Forms that a step needs at its beginning.
 
-        Always, if it is not reduced, and for contacts and frictions; others are only measured.
+        Always, and for contacts and frictions; others are only measured. Rows between axes take
+        these from directors.
         """
         mechanism = self.mechanism
-        rows = {row.form for row in self.form_rows.items}
-        turned = {row.form for row in self.rigidity_rows.items}
-        turned |= {f for f in rows if self.kinds[f] & layout.FORM_AXES}
-        turned -= {f for f in rows if self.kinds[f] & layout.FORM_LINEAR}
-        needed = (rows - turned) | {moment.form for moment in mechanism.moments}
+        rows = {row.form for row in self.joint_rows.items}
+        between = {f for f in rows if self.kinds[f] & layout.FORM_AXES}
+        between -= {f for f in rows if self.kinds[f] & layout.FORM_LINEAR}
+        needed = (rows - between) | {moment.form for moment in mechanism.moments}
         needed.update(f for q in self.active.items for f in mechanism.quantities[q].forms)
-        rigid = turned - needed
         touching = {f for q in self.touching.items for f in mechanism.quantities[q].forms}
-        lists = needed, rigid, touching - needed - rigid
+        lists = needed, touching - needed
         return tuple(self.islands.ordered(sorted(x), mechanism.moving) for x in lists)
 
     # ----------------------------------------------------------------------- sizes and tables
@@ -280,7 +279,6 @@ class Structure:
             "n_entries": sum(map(len, self.entries)),
             "n_linked": sum(map(len, self.linked)),
             "n_always_linked": len(self.linked[0]),
-            "n_bilateral_linked": len(self.linked[0]) + len(self.linked[1]),
             "n_always_active": len(self.active),
             "n_rigidity_rows": len(self.rigidity_rows),
             "n_rows": len(self.multipliers),
@@ -431,7 +429,7 @@ class Structure:
         """Where each island begins among free nodes and so on: ``layout.ISLAND_PARTS``."""
         composites = self.elements, self.function_rows, self.velocity_rows, self.potentials
         others = (
-            self.joint_rows, self.rigidity_rows, self.coincidences, self.loads, self.moments,
+            self.joint_rows, self.coincidences, self.loads, self.moments,
             self.body_moments, self.free_masses, self.bodies, *self.linked, self.active,
             self.touching,
         )  # fmt: skip
@@ -439,9 +437,9 @@ class Structure:
         shifts = [0, self.n_free, 0, *accumulate(map(len, composites[:-1]))] + [0] * len(others)
         columns = [*layout.ISLAND_PARTS]
         behind = {
-            "rigidity": (self.joint_rows,), "rigidity_linked": self.linked[:1],
-            "touching_linked": self.linked[:2], "touching_active": (self.active,),
-        }  # fmt: skip
+            "touching_linked": self.linked[:1],
+            "touching_active": (self.active,),
+        }
         for name, before in behind.items():
             shifts[columns.index(name)] = sum(map(len, before))
         windows = [

@@ -47,8 +47,7 @@ SIZES = (
     "n_active",
     "n_always_active",  # of these the first, others for contacts and frictions alone
     "n_linked",  # forms that a step needs at its beginning
-    "n_always_linked",  # of these the first, others for rows of rigidity
-    "n_bilateral_linked",  # and others for contacts and frictions alone
+    "n_always_linked",  # of these the first, others for contacts and frictions alone
     "n_form_rows",  # s - c = 0
     "n_rigidity_rows",  # of these the last: lengths and angles of the directors of bodies
     "n_coincidences",  # u = 0, dim rows each
@@ -85,7 +84,6 @@ SIZES = (
     "n_lu_values",  # stored entries of the factors
     "n_lean_values",  # likewise of those without stiffness; 0 where these are not worth while
     "n_open_values", "n_bare_values",  # likewise of full and of lean ones without contacts
-    "n_reduced_values",  # likewise of all with three unknown turns a body, one in the plane
     "n_slots",  # half steps of an internal one whose misses a state keeps, see predict.h
     "n_islands",  # parts that no mass, row or force joins: each is solved by itself
     "n_sampled",  # loads that read quantities
@@ -105,8 +103,8 @@ COUNTS = {
     "n_nodes": "n_moving + n_support",
     "n": "dim * n_moving",
     "n_joint_rows": "n_form_rows - n_rigidity_rows",
-    "n_pivots": "dim * n_free + n_rows",
-    "n_reduced_pivots": "n_pivots - 2 * n_rigidity_rows",  # a row and a coordinate less each
+    # turns of bodies take a coordinate and a row each from what keeps directors orthonormal
+    "n_pivots": "dim * n_free + n_rows - 2 * n_rigidity_rows",
     "n_functions": "n_function_rows + n_velocity_rows + n_potentials",
     "n_composites": "n_elements + n_functions",
     "first_velocity": "n_elements + n_function_rows",  # among the composites
@@ -131,8 +129,8 @@ ELIMINATION = {
     "lu_column": Table(),  # m places coupled to each group or pivot, in the order of its U row
     "lu_target": Table("", 0, "n_lu_values"),  # m x m targets of its update, row by row
     "lu_island": Table("4 * n_island_ends"),  # its first pivot, its group, its targets, columns
-    "mass_slot": Table("dim * n_mass_free", -1, "n_lu_values"),  # -1: of directors, reduced
-    "inertia_slot": Table("", 0, "n_lu_values"),  # reduced: turning turning of each body
+    "mass_slot": Table("dim * n_mass_free", -1, "n_lu_values"),  # -1: of directors
+    "inertia_slot": Table("", 0, "n_lu_values"),  # turning turning of each body
     "row_slot_ptr": Pointers("n_form_rows", "row_slot"),  # where each row's slots begin
     "row_slot": Table("", 0, "n_lu_values"),  # k free entries: stiffness, k dim upper, k dim lower
     "coincidence_slot_ptr": Pointers("n_coincidences", "coincidence_slot"),
@@ -156,12 +154,10 @@ k k dim dim; linear or lean none.
 Open factors are those of the whole tangent while all contacts and frictions are off, bare ones the
 lean factors then: rows of contacts and frictions lie behind all pivots, and have no slots to use.
 
-Reduced factors are those of the whole tangent with the turn of each body in the place of its
-directors, and without the rows that these fulfil; where there are bodies, lean, open and bare ones
-are reduced, too. An entry of a director then has `turning` components, in full blocks: turning by
-dim, or by turning.
+The turn of each body has the place of its directors, and the rows that turns fulfil have none: an
+entry of a director has `turning` components, in full blocks: turning by dim, or by turning.
 """
-FACTORS = ("reduced", "open", "lean", "bare")
+FACTORS = ("open", "lean", "bare")
 """Kinds of factors besides full ones."""
 
 ISLAND_PARTS = {
@@ -169,13 +165,12 @@ ISLAND_PARTS = {
     "element": ("0", "n_elements"), "function": ("n_elements", "first_velocity"),
     "velocity": ("first_velocity", "first_potential"),
     "potential": ("first_potential", "n_composites"),
-    "form_row": ("0", "n_joint_rows"), "rigidity": ("n_joint_rows", "n_form_rows"),
+    "form_row": ("0", "n_joint_rows"),
     "coincidence": ("0", "n_coincidences"),
     "load": ("0", "n_loads"), "moment": ("0", "n_moments"),
     "body_moment": ("0", "n_body_moments"), "mass": ("0", "n_mass"), "body": ("0", "n_bodies"),
     "linked": ("0", "n_always_linked"),
-    "rigidity_linked": ("n_always_linked", "n_bilateral_linked"),
-    "touching_linked": ("n_bilateral_linked", "n_linked"),
+    "touching_linked": ("n_always_linked", "n_linked"),
     "active": ("0", "n_always_active"), "touching_active": ("n_always_active", "n_active"),
 }
 """What islands divide, each into consecutive pieces from the first place to the last."""

@@ -26,7 +26,7 @@ STEPS = {2: 100, 4: 40, 8: 15}
 MOST = 1.02
 """A skip costs at most so many times the iterations or products of a kernel without it."""
 
-TRADES = ("stiffness", "factorisation", "fresh factors", "directors", "all")
+TRADES = ("stiffness", "factorisation", "fresh factors", "all")
 """Skips that take some iterations more for fewer products of factors and solves."""
 
 DEARER = {
@@ -37,7 +37,6 @@ DEARER = {
     ("stiffness", "double_wishbone", 2, "products"): 1.03,
     ("fresh factors", "dzhanibekov", 2, "products"): 1.04,
     ("stiffness", "flyball_governor", 2, "products"): 1.03,
-    ("directors", "jansen", 2, "products"): 1.05,
     ("fresh factors", "pendulum", 2, "products"): 1.04,
     ("old guess", "spring_pendulum", 2, "iterations"): 1.18,
     ("islands", "zoo in space", 2, "iterations"): 1.06,
@@ -45,12 +44,10 @@ DEARER = {
     ("islands", "zoo in space", 4, "iterations"): 1.07,
     ("outer iteration", "bifilar", 4, "iterations"): 1.11,
     ("fresh factors", "bifilar", 4, "products"): 1.09,
-    ("directors", "jansen", 4, "products"): 1.05,
     ("outer iteration", "bifilar", 8, "iterations"): 1.13,
     ("fresh factors", "bifilar", 8, "products"): 1.14,
     ("low penalty", "double_wishbone", 8, "products"): 1.04,
     ("old guess", "flyball_governor", 8, "iterations"): 1.03,
-    ("directors", "jansen", 8, "products"): 1.03,
     ("outer iteration", "pendulum", 8, "iterations"): 1.06,
     ("outer iteration", "pendulum", 8, "products"): 1.05,
     ("old guess", "pendulum", 8, "iterations"): 1.06,

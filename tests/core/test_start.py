@@ -6,6 +6,7 @@ from array import array
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from tests.oracle import Mechanism
 from tests.oracle.start import first_multipliers, rows_of
@@ -18,12 +19,22 @@ ALL = SOURCES | ZOO
 
 
 def disturbed(name: str, size: float):
-    """Model whose moving nodes are drawn elsewhere, by `size` times its extent at random."""
-    model = model_of(ALL[name])
-    numbers, at = np.array(model.numbers), model.offsets["initial_position"]
-    places = numbers[at : at + model.sizes["dim"] * model.sizes["n_free"]]
-    extent = np.ptp(places)
-    places += size * extent * np.random.default_rng(1).normal(size=len(places))
+    """Model drawn elsewhere: points by `size` times its extent at random, bodies turned by it."""
+    model, random = model_of(ALL[name]), np.random.default_rng(1)
+    dim, numbers, at = (
+        model.sizes["dim"],
+        np.array(model.numbers),
+        model.offsets["initial_position"],
+    )
+    places = numbers[at : at + dim * model.sizes["n_free"]].reshape(-1, dim)
+    extent, drawn = np.ptp(places), places.copy()
+    places += size * extent * random.normal(size=places.shape)
+    for a in model.tables["body_node"]:
+        turn = Rotation.from_rotvec(
+            size * random.normal(size=3) * ([1, 1, 1] if dim == 3 else [0, 0, 1])
+        )
+        directors = slice(a, a + 2 * dim - 3)
+        places[directors] = drawn[directors] @ turn.as_matrix()[:dim, :dim].T
     return model._replace(numbers=array("d", numbers)), extent
 
 

@@ -23,12 +23,85 @@ def probed(request):
     return run
 
 
+class Bodies:
+    """Turns theta of bodies in a step, whose directors the oracle has for unknowns (theory 9.6)."""
+
+    def __init__(self, run):
+        sizes, tables = run.model.sizes, run.model.tables
+        self.dim, self.turning = sizes["dim"], 2 * sizes["dim"] - 3
+        self.first = [int(a) for a in tables["body_node"]]
+        free = self.dim * sizes["n_free"]
+        self.q, self.v = (vector(run, x)[:free].reshape(-1, self.dim) for x in "qv")
+        self.is_unknown = np.ones(free + sizes["n_rows"], dtype=bool)
+        for a in self.first:
+            begin = self.dim * a
+            self.is_unknown[begin + self.turning : begin + self.dim * self.turning] = False
+        end = free + sizes["n_form_rows"]
+        self.is_unknown[end - sizes["n_rigidity_rows"] : end] = False
+
+    def cross(self, turn, vector):
+        """Return turn x vector; in the plane turns have one number."""
+        return np.cross(turn, vector) if self.dim == 3 else turn * [-vector[1], vector[0]]
+
+    def moment(self, arm, force):
+        """Return arm x force, as many numbers as a turn has."""
+        if self.dim == 3:
+            return np.cross(arm, force)
+        return np.array([arm[0] * force[1] - arm[1] * force[0]])
+
+    def directors(self, theta, a):
+        """Changes of the directors of the body with first director a."""
+        t = 0.5 * theta
+        for k in range(a, a + self.turning):
+            x = self.cross(t, self.q[k])
+            yield k, 2.0 * (x + self.cross(t, x)) / (1.0 + t @ t)
+
+    def increments(self, unknown, h):
+        """Return w of all nodes."""
+        w = unknown.reshape(-1, self.dim).copy()
+        for a in self.first:
+            for k, change in self.directors(unknown.reshape(w.shape)[a][: self.turning], a):
+                w[k] = change - h * self.v[k]
+        return w.ravel()
+
+    def torques(self, unknown, balance):
+        """Return the balance of momentum with torques in the place of forces on directors."""
+        r = balance.reshape(-1, self.dim).copy()
+        for a in self.first:
+            torque = np.zeros(self.turning, dtype=r.dtype)
+            for k, change in self.directors(unknown.reshape(r.shape)[a][: self.turning], a):
+                force = balance.reshape(r.shape)[k]
+                torque = torque + self.moment(self.q[k] + 0.5 * change, force)
+            r[a : a + self.turning] = 0.0
+            r[a, : self.turning] = torque
+        return r.ravel()
+
+    def rates(self, unknown, x):
+        """Return the rates of the unknowns in a direction x, which has spins at the end."""
+        rate = x[: len(unknown)].reshape(-1, self.dim).copy()
+        for a in self.first:
+            t, spin = 0.5 * unknown.reshape(rate.shape)[a][: self.turning], rate[a, : self.turning]
+            across = self.cross(t, spin) if self.dim == 3 else 0.0
+            rate[a, : self.turning] = spin - across + t * (t @ spin)
+        return rate.ravel()
+
+    def of_the_motion(self, h):
+        """Return the turns h omega of bodies, and nothing for points."""
+        found = np.zeros_like(self.q)
+        for a in self.first:
+            spins = [self.moment(self.q[k], self.v[k]) for k in range(a, a + self.turning)]
+            found[a, : self.turning] = h * np.sum(spins, axis=0) / (self.dim - 1)
+        return found.ravel()
+
+
 def unknowns(run, size, seed):
-    """Random w [m] of a size, mu, and a direction (w, mu)."""
-    random = np.random.default_rng(seed)
-    sizes = run.model.sizes
-    n, r = sizes["dim"] * sizes["n_free"], sizes["n_rows"]
-    return size * random.normal(size=n), 5.0 * random.normal(size=r), random.normal(size=n + r)
+    """Random w [m] and turns of a size, mu, and a direction (w, mu)."""
+    random, known = np.random.default_rng(seed), ~Bodies(run).is_unknown
+    n = len(known) - run.model.sizes["n_rows"]
+    w, mu, x = size * random.normal(size=n), 5.0 * random.normal(size=len(known) - n), known * 0.0
+    x += random.normal(size=len(known))
+    w[known[:n]] = mu[known[n:]] = x[known] = 0.0
+    return w, mu, x
 
 
 def probe_of_the_oracle(run, h, w, mu, x):
@@ -36,15 +109,19 @@ def probe_of_the_oracle(run, h, w, mu, x):
 
     They are Phi_n1 - (2/alpha) mu there, which is eq 15 with lam = -alpha Phi_n/2.
     """
-    oracle = Mechanism.of(run.model, run.state)
+    oracle, bodies = Mechanism.of(run.model, run.state), Bodies(run)
     oracle.numbers[:] = numbers(run)
     equations = Residual(oracle, h)
     lam = -0.5 * equations.alpha * equations.phi_n
     n, step = len(w), 1e-30j
-    residual = equations.residual(w, mu, lam)
-    ahead = equations.residual(w + step * x[:n], mu + step * x[n:], lam)
-    rows = np.where(np.arange(len(x)) < n, 1.0, 2.0)
-    return rows * residual, rows * ahead.imag / 1e-30
+
+    def residual(w, mu):
+        found = equations.residual(bodies.increments(w, h), mu, lam)
+        whole = np.concatenate([bodies.torques(w, found[:n]), 2.0 * found[n:]])
+        return np.where(bodies.is_unknown, whole, 0.0)
+
+    ahead = residual(w + step * bodies.rates(w, x), mu + step * x[n:])
+    return residual(w, mu), ahead.imag / 1e-30
 
 
 def lower_penalties(run):
@@ -79,7 +156,11 @@ def test_residual_and_tangent_of_every_scene_are_those_of_the_equations(name):
     for seed in range(3):
         _, mu, x = unknowns(run, 1.0, seed)
         free = len(x) - len(mu)
+        bodies = Bodies(run)
         w = 0.5 * h**2 * vector(run, "a_first")[:free] * (1.0 + 0.1 * seed)
+        kinds = np.asarray(run.model.tables["node_kind"])[: len(bodies.q)]
+        turning = np.repeat(kinds > 0, bodies.dim)
+        w = np.where(turning, (1.0 + 0.1 * seed) * bodies.of_the_motion(h), w)
         status, *ours = kernel_of(run).probe(h, w, mu, x)
         assert status == 0
         for a, b in zip(ours, probe_of_the_oracle(run, h, w, mu, x), strict=True):
@@ -92,10 +173,10 @@ def test_the_tangent_is_the_derivative_of_the_residual(probed, size):
     kernel = probed
     for seed in range(5):
         w, mu, x = unknowns(kernel, size, seed)
-        n, step = len(w), 1e-5
+        n, step, rates = len(w), 1e-5, Bodies(kernel).rates(w, x)
         _, _, tangent = kernel_of(kernel).probe(0.1, w, mu, x)
         ahead, behind = (
-            np.array(kernel_of(kernel).probe(0.1, w + s * x[:n], mu + s * x[n:], x)[1])
+            np.array(kernel_of(kernel).probe(0.1, w + s * rates, mu + s * x[n:], x)[1])
             for s in (step, -step)
         )
         # truncation step^2 times third derivatives of order 10, rounding 1e-16/step

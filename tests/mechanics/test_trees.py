@@ -10,12 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import solver
-from benchmarks.sections.skips import SKIPS
 from scenes.generate import rigid_chain
-from solver.runtime import Model
+from solver.mechanics import kkt_pattern
+from solver.runtime import Integrator, Model
 from solver.runtime.layout import LEAST_WITH_JOINT
 from tests.support.fmus.fmu_instance import SCENES
-from tests.support.kernel.kernels_without_skips import integrator_without, needs_compiler
 from tests.support.mechanisms.problems import (
     Content,
     assemble,
@@ -33,7 +32,7 @@ KINDS = {"spherical": 0, "universal": 1, "revolute": 2, "fixed": 3}
 
 def joint_pivots(model: Model) -> list[int]:
     """Pivots of each group of a body with its joint, in the order of elimination."""
-    sizes = [after - first for first, after in pairwise(model.tables["reduced_lu_group"][::3])]
+    sizes = [after - first for first, after in pairwise(model.tables["lu_group"][::3])]
     return [size for size in sizes if size >= LEAST_WITH_JOINT]
 
 
@@ -85,15 +84,20 @@ def trees(draw: st.DrawFn) -> tuple[Content, list[int]]:
     return content, sorted(9 + KINDS[kind] for kind in kinds)
 
 
-@needs_compiler
 @given(trees())
-def test_a_tree_moves_as_with_directors_for_unknowns(drawn):
-    # The director form knows nothing of trees: its rows, those of rigidity too, go through the LU.
+def test_a_tree_moves_as_by_the_sparse_factors(drawn):
+    # Without joints in groups all rows go through the LU, which knows nothing of trees.
     content, pivots = drawn
-    model = assemble(content, step_size=2e-3, assemble=True)
+    settings = {"step_size": 2e-3, "assemble": True, "newton_tolerance": 1e-14}
+    model = assemble(content, **settings)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kkt_pattern, "carried_bodies", lambda _: ())
+        sparse = assemble(content, **settings)
     assert sorted(joint_pivots(model)) == pivots
-    runs = [integrator_without(bits, model) for bits in (0, SKIPS["directors"])]
+    assert joint_pivots(sparse) == []
+    runs = [Integrator(each) for each in (model, sparse)]
     for run in runs:
+        run.initialise()
         for _ in range(20):
             step(run, 2e-3)
     first, second = runs
@@ -132,21 +136,6 @@ def test_rows_that_repeat_those_of_a_joint_leave_its_island_to_the_sparse_factor
     assert joint_pivots(assemble(content)) == []
     errors = observe(start(content), 0.01, 20, ["energy.error", "constraint.position"])
     assert np.abs(errors).max() <= 1e-14
-
-
-def test_trees_that_need_more_memory_than_directors_are_left_out():
-    # Springs from each of two hinged bodies to each of three points: 24 later places.
-    body = {"mass": 1, "inertia": [0.1, 0.2, 0.25]}
-    bodies = {"A": body | {"position": [0, 0, 0]}, "B": body | {"position": [2, 0, 0]}}
-    points = {f"P{k}": {"position": [k, 1.0 + k * k, 1], "mass": 1} for k in range(3)}
-    springs = {
-        f"s{a}{b}": {"type": "spring", "points": [a, b], "stiffness": 5}
-        for a in bodies for b in points
-    }  # fmt: skip
-    content = mechanism("net", 3, bodies=bodies, points=points, joints={"j": HINGE}, forces=springs)
-    model = assemble(content)
-    assert 0 < model.sizes["n_reduced_values"] <= model.sizes["n_lu_values"]
-    assert joint_pivots(model) == []
 
 
 def test_a_heavy_top_is_eliminated_with_its_tip():

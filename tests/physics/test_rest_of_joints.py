@@ -112,8 +112,7 @@ def test_feet_beside_a_belt_hold_by_forces_that_lean_on_them(push):
     assert (found["p1.mode"] == 2).all()
     force = {name: found[f"{name}.force"] for name in ("p0", "p1", "p2")}
     friction = {name: found[f"{name}.friction"] for name in force}
-    # Steps follow cones of forces that rows leave open to some 1e-8.
-    assert friction["p1"] == pytest.approx(0.4 * force["p1"], rel=1e-7)
+    assert friction["p1"] == pytest.approx(0.4 * force["p1"], rel=1e-13)
     for name in ("p0", "p2"):
         assert (found[f"{name}.mode"] == 1).all()
         assert (abs(friction[name]) <= 0.4 * force[name] * (1 + 1e-8)).all()

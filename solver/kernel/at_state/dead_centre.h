@@ -35,7 +35,7 @@ HM_SELDOM static int32_t refuse_dead_centre(context *c)
     int32_t status = take_even_metric(c);
     for (int i = 0; i < 8 && !status && lacking > allowed && lacking < 0.9 * last; i++) {
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-        if ((status = solve_at_state(c, NULL))) break;
+        if ((status = solve_at_state(c))) break;
         add_solution(c, x);
         last = lacking;
         lacking = rows_bend(c, bias, x);

@@ -26,13 +26,31 @@ static void velocities_for(const context *c, double *x)
     solve_for(c, x);
 }
 
+/* Rates (in phi) that rows have once the velocities have lost what is no turn of a body; that loss
+   is x (n, overwritten). */
+HM_SELDOM static void rates_of_turns(const context *c, double *x)
+{
+    double *turning = c->k.ahead;
+    beside_turns(c, x);
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) turning[k] = c->s.v[k] + x[k];
+    row_rates(c, c->s.q, c->s.q_low, turning, c->s.signal, c->k.signal_rate, c->k.phi);
+}
+
+/* Adds to that loss the velocities that change the rates of the rows by -phi; impulses in mu. */
+static void follow_turns_by(const context *c, double *x)
+{
+    inertia(c, 1.0, x, c->k.momentum);
+    solve_for_momenta(c);
+    add_solution(c, x);
+}
+
 /* Part of the velocities that makes rows move which hold, with the other sign (hit_defect): a step
    leaves it by its order. It is orthogonal to all that rows allow, so that its energy is apart.
    Factors are those at the state. */
 HM_SELDOM static void find_defect(const context *c)
 {
-    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-    velocities_for(c, c->k.hit_defect);
+    rates_of_turns(c, c->k.hit_defect);
+    follow_turns_by(c, c->k.hit_defect);
 }
 
 HM_SELDOM static void add_defect(context *c, double sign)
@@ -47,7 +65,7 @@ HM_SELDOM static int32_t find_disallowed(context *c)
     see_all(c);
     suspend_sliding(c, 1);
     stand_still(c);
-    const int32_t status = factorise_at_state(c, NULL);
+    const int32_t status = factorise_at_state(c);
     if (!status) find_defect(c);
     suspend_sliding(c, 0);
     return status;

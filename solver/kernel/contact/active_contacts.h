@@ -26,7 +26,7 @@ static int32_t gradient_of_gap(const context *c, int32_t i, double *gradient, do
                   size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
     const int32_t status = gap_at_end(c, i, gap);
     if (status) return status;
-    local_gradients(c, j);
+    local_gradients(c, j, 1);
     for (int32_t k = 0; k < size; k++) gradient[k] = 0.0;
     for (int32_t f = 0; f < m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]; f++)
         for (int32_t k = 0; k < size; k++)

@@ -63,7 +63,7 @@ static int32_t find_modes_by_law(context *c, int begun)
     int32_t status = evaluate_forces(c);
     for (int32_t r = 0; r < rows && !status; r++) x.before[r] = second_rate_of_row(c, x.row[r]);
     stand_still(c);
-    if (!status) status = factorise_at_state(c, NULL);
+    if (!status) status = factorise_at_state(c);
     for (int32_t k = 0; k < x.law.contacts && !status; k++)
         for (int32_t r = x.law.first[k]; r <= x.law.first[k] + x.law.tangents[k] && !status; r++) {
             memset(c->k.momentum, 0, sizeof(double) * (size_t)n);

@@ -184,7 +184,7 @@ HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
         if (x->contact[k] < 0) friction_of(c, -1 - x->contact[k])[F_MODE] = FRICTION_OFF;
     stand_still(c);
     c->cone_mu = c->k.event_mu;
-    int32_t status = factorise_at_state(c, NULL);
+    int32_t status = factorise_at_state(c);
     c->cone_mu = c->k.mu;
     for (int32_t u = 0; u < n && !status; u++) {
         status = find_reach(c, x->row[u], u);

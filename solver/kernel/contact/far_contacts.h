@@ -245,12 +245,12 @@ static void list_awake(const context *c, near_lists x)
             owner < 0 || (owner < m->n_contacts ? contact[owner] : friction[owner - m->n_contacts]);
         if (row[j]) mark_parts(c, j, form, active);
     }
-    for (int32_t i = m->n_bilateral_linked; i < m->n_linked; i++)
+    for (int32_t i = m->n_always_linked; i < m->n_linked; i++)
         linked[i] = form[m->linked_form[i]];
     link_list(contact, 0, m->n_contacts);
     link_list(friction, 0, m->n_frictions);
     link_list(row, first, end);
-    link_list(linked, m->n_bilateral_linked, m->n_linked);
+    link_list(linked, m->n_always_linked, m->n_linked);
     link_list(active, m->n_always_active, m->n_active);
 }
 
@@ -275,15 +275,11 @@ static void leave_far_out(context *c)
     c->near[NEAR_CONTACTS] = x.contact, c->near[NEAR_FRICTIONS] = x.friction,
     c->near[NEAR_ROWS] = x.row;
     c->near[NEAR_LINKED] = x.linked, c->near[NEAR_ACTIVE] = x.active;
-    const int reduced = c->reduced;
     int32_t used = 0;
-    for (int turns = 0; turns < 2; turns++)
-        for (int32_t island = 0; island <= islands; island++) {
-            c->reduced = turns;
-            look_at(c, island < islands ? island : 0, island < islands ? island + 1 : islands);
-            used = add_slice(c, slice_of(c, turns, island), used);
-        }
-    c->reduced = reduced;
+    for (int32_t island = 0; island <= islands; island++) {
+        look_at(c, island < islands ? island : 0, island < islands ? island + 1 : islands);
+        used = add_slice(c, slice_of(c, island), used);
+    }
     look_at(c, 0, islands);
 }
 

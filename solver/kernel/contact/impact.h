@@ -77,7 +77,7 @@ HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
 {
     const int32_t rows = x->law.rows;
     stand_still(c);
-    int32_t status = factorise_at_state(c, NULL);
+    int32_t status = factorise_at_state(c);
     if (status) return status;
     find_defect(c);
     add_defect(c, 1.0);

@@ -300,7 +300,7 @@ static int rates_to_stop(context *c)
 {
     int holds = 0;
     memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
-    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+    rates_of_turns(c, c->k.hit_defect);
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         look_at(c, island, island + 1);
         if (island_has_contact(c) && !is_hit(c, island)) {
@@ -308,35 +308,42 @@ static int rates_to_stop(context *c)
             continue;
         }
         EACH_ROW(c, i) c->k.phi[i] = 0.0;
+        clear_nodes(c, c->k.hit_defect);
     }
     look_at(c, 0, c->m->n_islands);
     return holds;
 }
 
-/* Adds x to the velocities and books what its impulses (in mu) take; the rest of the change of
-   energy is work. */
+/* Work of impulses (in mu) of the rows at hand: what signals and surfaces move, as far as rows ask
+   of what stands still. */
+static double work_of_impulses(const context *c)
+{
+    double *rest = c->k.ahead, *rate = c->k.row_rate, work = 0.0;
+    clear_nodes(c, rest);
+    row_rates(c, c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate, rate);
+    EACH_ROW(c, i) work += c->k.mu[i] * rate[i];
+    return work;
+}
+
+/* Adds x to the velocities and books what its impulses (in mu) take, and the work. */
 static void add_velocities(context *c, const double *x, int driven)
 {
-    const holonom_model *m = c->m;
-    double *rate = c->k.row_rate, friction = 0.0, total = 0.0;
-    const double before = mass_product(c, x, c->s.v) + 0.5 * mass_product(c, x, x);
+    const double work = driven ? work_of_impulses(c) : 0.0;
+    const double loss = work - mass_product(c, x, c->s.v) - 0.5 * mass_product(c, x, x);
+    double friction = 0.0;
     for (int side = 0; side < 2; side++) {
-        row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, rate);
         EACH_FRICTION(c, f)
             for (int k = 0; k < n_slips(c, f); k++) {
-                const int32_t j = slip_row(c, f, k), row = row_of(c, j);
-                if (state_of_row(c, j) == ROW_IS_OFF) continue;
-                rate[row] = rate_of_row(c, j);
-                friction += 0.5 * c->k.mu[row] * rate[row];
+                const int32_t j = slip_row(c, f, k);
+                if (state_of_row(c, j) != ROW_IS_OFF)
+                    friction += 0.5 * c->k.mu[row_of(c, j)] * rate_of_row(c, j);
             }
-        EACH_ROW(c, i) total += 0.5 * c->k.mu[i] * rate[i];
-        for (int32_t k = 0; k < DIM * m->n_free && !side; k++)
+        for (int32_t k = 0; k < DIM * c->m->n_free && !side; k++)
             hm_add(c->s.v + k, c->s.v_low + k, x[k]);
     }
-    const double loss = driven ? total : -before;
     book(c, S_FRICTION, friction);
     book(c, S_IMPACT, loss - friction);
-    if (driven) book(c, S_WORK, before + loss);
+    if (driven) book(c, S_WORK, work);
 }
 
 /* Lets those frictions stick whose slip has been reversed; joints slide the other way. */
@@ -420,7 +427,7 @@ static int32_t hold(context *c, int slips_alone)
             forget_dependent_rows(c);
             judge_rows(c, NULL);
         }
-        status = factorise_at_state(c, NULL);
+        status = factorise_at_state(c);
         if (!status && slips_alone) {
             memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
             EACH_FRICTION(c, f)
@@ -429,7 +436,8 @@ static int32_t hold(context *c, int slips_alone)
         }
         again = 0;
         if (!status && (slips_alone || rates_to_stop(c))) {
-            velocities_for(c, c->k.hit_defect);
+            if (slips_alone) velocities_for(c, c->k.hit_defect);
+            else follow_turns_by(c, c->k.hit_defect);
             again = tear_loose_in_step(c);
             if (!again && !slips_alone) add_parting(c, c->k.hit_defect);
             if (!again) add_velocities(c, c->k.hit_defect, driven);

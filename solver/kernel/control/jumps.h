@@ -53,7 +53,7 @@ HM_SELDOM static int32_t jump_with_signals(context *c, double t)
     memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
     row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
     inertia(c, 1.0, c->k.w, c->k.momentum);
-    const int32_t status = solve_at_state(c, NULL);
+    const int32_t status = solve_at_state(c);
     if (status) return status;
     add_solution(c, c->k.w);
     for (int32_t k = 0; k < DIM * c->n_moving; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);

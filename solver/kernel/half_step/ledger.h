@@ -68,7 +68,7 @@ static void book_step(context *c)
     }
     book(c, S_DEFECT, defect);
     for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++)
-        residual += c->move[k] * (c->k.momentum[k] - c->k.handed_on[k]);
+        residual += move_of(c)[k] * (c->k.momentum[k] - c->k.handed_on[k]);
     book(c, S_RESIDUAL, residual / c->h);
     for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN];
          k++) /* what moves driven nodes */
@@ -195,7 +195,7 @@ static void accept_island(context *c, int parity)
 static void accept_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
-    use_unknowns(c, may_reduce(c));
+    look_at_all(c);
     if (c->m->n_sampled && !reads_the_step(c))
         judge_sampling(c, parity); /* else what follows it would count as seldom, too */
     for (int32_t part = 0; part < parts; part++) {
@@ -203,7 +203,7 @@ static void accept_step(context *c, int parity)
         accept_island(c, parity);
     }
     c->rows_known = c->halves == 2 && (!is_unilateral(c->m) || (!c->stepping && are_all_off(c)));
-    use_unknowns(c, 0);
+    look_at_all(c);
     if (is_telling(c)) remember_length(c);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
     follow_angles(c, c->k.d);

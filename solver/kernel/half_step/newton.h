@@ -17,11 +17,13 @@ static void update_multipliers(context *c)
 }
 
 /* P x of multipliers x (modified), P = epsilon (G A^-1 G' + epsilon)^-1: what an Uzawa update with
-   the factors at hand leaves of their error. */
+   the factors at hand leaves of their error; that of a sliding row follows its cone. */
 HM_SELDOM static void contract_multipliers(const context *c, double *x)
 {
     memset(c->k.rhs + first_pivot(c), 0, sizeof(double) * (size_t)(end_pivot(c) - first_pivot(c)));
-    EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -c->k.epsilon[i] * x[i];
+    EACH_ROW(c, i)
+        if (state_of_multiplier(c, i) != ROW_IS_SLIDING)
+            c->k.rhs[c->lu->row_position[i]] = -c->k.epsilon[i] * x[i];
     solve_factors(c);
     EACH_ROW(c, i) x[i] = c->k.rhs[c->lu->row_position[i]];
 }
@@ -169,31 +171,39 @@ static int is_soft_enough(const context *c, const newton_record *r)
     return c->sliding && (r->increments == 0 || slides_in_space(c));
 }
 
+/* Adds the increment in rhs; the squares of its size, and of that of d. */
+HM_OFTEN void add_increment(const context *c, double *increment2, double *size2)
+{
+    const holonom_model *m = c->m;
+    const double *rhs = c->k.rhs;
+    *increment2 = *size2 = 0.0;
+    EACH_NODE(c, a) {
+        const double mass = c->number[m->node_mass_at + a];
+        double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
+        if (a < m->n_free && !(has_turns(c) && m->node_kind[a])) {
+            const double *x = rhs + c->lu->node_position[a];
+            EACH(k) w[k] += x[k];
+            EACH(k) move_of(c)[DIM * a + k] = d[k] = c->k.hv[DIM * a + k] + w[k];
+            *increment2 += mass * dot(x, x);
+        } else if (a < m->n_free && m->node_kind[a] == NODE_DIRECTION) {
+            const double *spin = rhs + c->lu->node_position[a];
+            *increment2 += turning_norm2(c, a, spin, 1);
+            change_turn(c, a, spin);
+        }
+        *size2 += mass * dot(d, d);
+    }
+    EACH_ROW(c, i) c->k.mu[i] += rhs[c->lu->row_position[i]];
+}
+
 /* Solves for one Newton increment and adds it; its size, that of d, and what they are measured
    against. */
 static int32_t newton_update(context *c, newton_record *r)
 {
-    const holonom_model *m = c->m;
-    double *rhs = c->k.rhs, increment2 = 0.0, size2 = 0.0;
+    double increment2, size2;
     gather_rhs(c);
     solve_factors(c);
     if (c->reads) follow_laws(c);
-    EACH_NODE(c, a) {
-        const double mass = c->number[m->node_mass_at + a];
-        double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
-        if (a < m->n_free && !(is_reduced(c) && m->node_kind[a])) {
-            const double *x = rhs + c->lu->node_position[a];
-            EACH(k) w[k] += x[k];
-            EACH(k) c->move[DIM * a + k] = d[k] = c->k.hv[DIM * a + k] + w[k];
-            increment2 += mass * dot(x, x);
-        } else if (a < m->n_free && m->node_kind[a] == NODE_DIRECTION) {
-            const double *spin = rhs + c->lu->node_position[a];
-            increment2 += turning_norm2(c, a, spin, 1);
-            change_turn(c, a, spin);
-        }
-        size2 += mass * dot(d, d);
-    }
-    EACH_ROW(c, i) c->k.mu[i] += rhs[c->lu->row_position[i]];
+    add_increment(c, &increment2, &size2);
     const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
     r->eta = sqrt(increment2);
     r->size = sqrt(size2);
@@ -208,9 +218,9 @@ static int32_t newton_update(context *c, newton_record *r)
 static void take_back(context *c)
 {
     for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
-        if (is_reduced(c) && c->m->node_kind[k / DIM]) continue;
+        if (has_turns(c) && c->m->node_kind[k / DIM]) continue;
         c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
-        c->move[k] = c->k.d[k] = c->k.hv[k] + c->k.w[k];
+        move_of(c)[k] = c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
     EACH_TURN(c, b) undo_turn(c, c->m->body_node[b]);
     EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];

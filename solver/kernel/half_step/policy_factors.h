@@ -16,7 +16,7 @@ static double price_of_factors(const context *c)
 {
     const int32_t *begin = c->lu->lu_island + 4 * c->first_island,
                   *end = c->lu->lu_island + 4 * c->last_island;
-    return (is_reduced(c) ? 2.0 : 1.0)
+    return (has_turns(c) ? 2.0 : 1.0)
            + (double)(end[2] - begin[2]) / (1.0 + c->lu->lu_ptr[end[0]] - c->lu->lu_ptr[begin[0]]);
 }
 
@@ -60,7 +60,7 @@ static inline int may_keep_factors(const context *c, const newton_record *r)
 static void choose_factors(context *c)
 {
     double *island = c->island;
-    const int is_tried = c->m->n_lean_values && is_reduced(c) == (n_bodies(c->m) > 0)
+    const int is_tried = c->m->n_lean_values
                          && island[I_DEPENDENT] == 0.0 && hm_skips(SKIP_STIFFNESS);
     c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? lean_factors(c) : full_factors(c);
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;

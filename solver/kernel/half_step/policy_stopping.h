@@ -36,7 +36,7 @@ static double residual_energy(const context *c)
     if (!HOLONOM_ENERGY_DECIDES) return 0.0;
     const int32_t end = DIM * c->end[ISLAND_FREE];
     for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < end; k++)
-        sum += c->move[k] * c->k.momentum[k];
+        sum += move_of(c)[k] * c->k.momentum[k];
     return fabs(sum / c->h); /* h < 0 in the parts of a composition that go back */
 }
 

@@ -66,7 +66,7 @@ static int turns_little(const context *c)
     return 1;
 }
 
-/* Increments of the unknowns of a reduced step. */
+/* Increments of the unknowns where there are bodies. */
 static void begin_unknowns(const context *c, int parity, int reach)
 {
     const history turn = turning_so_far(c, parity);
@@ -80,10 +80,6 @@ static void begin_unknowns(const context *c, int parity, int reach)
         begin_turn(c, a, acceleration);
     }
 }
-
-/* Whether turns of bodies are the unknowns. */
-static inline int may_reduce(const context *c)
-{ return HM_BODIES && c->m->n_reduced_values && hm_skips(SKIP_DIRECTORS); }
 
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
@@ -109,7 +105,7 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
-    if (is_reduced(c)) begin_unknowns(c, parity, reach);
+    if (has_turns(c)) begin_unknowns(c, parity, reach);
     rows_at_start(c, is_telling(c) || c->stepping);
     const double rows = c->island[I_DEPENDENT];
     const double compliance = compliance_over_sigma(c),
@@ -244,7 +240,7 @@ static int32_t solve_step(context *c, int parity)
     const int32_t parts = n_apart(c);
     int32_t status = HOLONOM_OK;
     effort most = {0, 0};
-    use_unknowns(c, may_reduce(c));
+    look_at_all(c);
     set_weights(c);
     for (int32_t part = 0; part < parts && !status; part++) {
         effort own = {0, 0};
@@ -260,7 +256,7 @@ static int32_t solve_step(context *c, int parity)
         if (own.increments > most.increments) most.increments = own.increments;
         if (own.updates > most.updates) most.updates = own.updates;
     }
-    use_unknowns(c, 0);
+    look_at_all(c);
     c->s.head[S_NEWTON_ITERATIONS] += most.increments;
     c->s.head[S_UZAWA_ITERATIONS] += most.updates;
     return status;

@@ -105,7 +105,7 @@ static int32_t composite_tangent(const context *c, double *value)
                   is_next = is_next_slip(c, before, j, asked);
         const int32_t status = next_slopes(c, is_next, j, asked, &result);
         if (status) return status;
-        if (!is_next) size = local_gradients(c, j);
+        if (!is_next) size = local_gradients(c, j, 0);
         before = j;
         if (!is_lean(c) && !is_stiff) slot += size * size;
         if (is_stiff) {
@@ -198,7 +198,7 @@ static void inertia_tangent(const context *c, double *value)
         double *x = c->k.bend + at;
         for (int i = at; i < at + DIM * TURNING; i += DIM) {
             double own[DIM];
-            EACH(k) own[k] = y[i + k] - 0.5 * c->k.nodal[i + k];
+            EACH(k) own[k] = y[i + k] - (c->at_state ? 0.0 : c->theta * c->k.nodal[i + k]);
             add_turning(1.0, own, c->k.turned + i, x);
         }
         scatter(TURNING * TURNING, x, slot, value);
@@ -220,10 +220,10 @@ static int32_t assemble_tangent(const context *c)
     clear_bodies(c, c->k.bend, TURNING * TURNING);
     EACH_FORM_ROW(c, i) {
         const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
-        if (is_reduced(c) || !is_square_row(c, i)) row_tangent(c, i, slot, value);
+        if (has_turns(c) || !is_square_row(c, i)) row_tangent(c, i, slot, value);
         else square_row_tangent(c, i, slot, value);
     }
-    if (is_reduced(c)) inertia_tangent(c, value);
+    if (has_turns(c)) inertia_tangent(c, value);
     const int32_t *slot =
         c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE)
@@ -316,7 +316,7 @@ static int32_t nodal_residual(const context *c)
 static int32_t evaluate_residual(const context *c)
 {
     const int32_t status = nodal_residual(c);
-    if (is_reduced(c)) reduce_momentum(c);
+    if (has_turns(c)) reduce_momentum(c);
     return status;
 }
 
@@ -331,9 +331,9 @@ static inline double row_residual(const context *c, int32_t i)
 /* The nodes' part of the right-hand side -(momentum, rows) in elimination order. */
 static void gather_momentum(const context *c)
 {
-    for (int32_t a = c->begin[ISLAND_FREE]; !is_reduced(c) && a < c->end[ISLAND_FREE]; a++)
+    for (int32_t a = c->begin[ISLAND_FREE]; !has_turns(c) && a < c->end[ISLAND_FREE]; a++)
         EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
-    for (int32_t a = c->begin[ISLAND_FREE]; is_reduced(c) && a < c->end[ISLAND_FREE];
+    for (int32_t a = c->begin[ISLAND_FREE]; has_turns(c) && a < c->end[ISLAND_FREE];
          a = next_unknown(c, a))
         for (int k = 0; k < unknown_size(c, a); k++)
             c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
@@ -367,12 +367,12 @@ static inline int is_mostly_empty(const context *c)
 static inline live_pivots live_pivots_of(const context *c)
 {
     int32_t *count = (int32_t *)(void *)c->k.live;
-    const int32_t n = DIM * c->m->n_free + c->m->n_rows;
+    const int32_t n = c->lu->lu_island[4 * c->m->n_islands];
     return (live_pivots){count, count + n, count + 2 * n};
 }
 
 /* Whether pivots are eliminated in groups. */
-static inline int has_groups(const context *c) { return is_reduced(c) && !is_mostly_empty(c); }
+static inline int has_groups(const context *c) { return has_turns(c) && !is_mostly_empty(c); }
 
 /* Makes factors of the matrix in value, of the islands at hand. */
 static inline int32_t factorise_matrix(const context *c)

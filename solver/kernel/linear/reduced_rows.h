@@ -1,5 +1,4 @@
-/* Forms and coincidences in the tangent: sums over each unknown, a node or, in a reduced step, the
-   turn of a body.
+/* Forms and coincidences in the tangent: sums over each unknown, a point or the turn of a body.
 
    The part of a link u that a body carries, U = sum alpha d_i over its directors, turns with it:
    delta U = spin x U. So a form u . w has the gradient  U x w + W x u  over the turn of a body, and
@@ -23,7 +22,7 @@ typedef struct form_side {
 } form_side;
 
 static inline int is_axes_row(const context *c, int32_t i)
-{ return is_reduced(c) && c->m->form_kind[c->m->row_form[i]] & FORM_AXES; }
+{ return has_turns(c) && c->m->form_kind[c->m->row_form[i]] & FORM_AXES; }
 
 /* Entry behind those of form f with the unknown of entry e. */
 HM_OFTEN int32_t behind_side(const context *c, int32_t f, int32_t e)
@@ -231,6 +230,14 @@ static void stand_still_as_bodies(const context *c)
     }
 }
 
+/* Change of form f to the end, where directions in the middle are not at hand. */
+HM_SELDOM static double change_of_form(const context *c, int32_t f)
+{
+    motion g;
+    form_motion(c, f, &g);
+    return g.ds;
+}
+
 /* Residual of such a row i, and its torques. */
 static void axes_row_residual(const context *c, int32_t i)
 {
@@ -246,7 +253,7 @@ static void axes_row_residual(const context *c, int32_t i)
             c->k.torque[x.second + k] -= force * across[k];
         }
     for (int k = 0; k < TURNING; k++) c->k.torque[x.first + k] += force * across[k];
-    c->k.phi[i] = c->k.phi0[i] + change;
+    c->k.phi[i] = c->k.phi0[i] + (is_seeking(c) ? change_of_form(c, c->m->row_form[i]) : change);
 }
 
 /* Its torques by a multiplier, times a factor, to value. */

@@ -1,4 +1,4 @@
-/* Turns of rigid bodies in a step, the unknowns of a reduced one (theory 9.6).
+/* Turns of rigid bodies in a step, the unknowns of their directors (theory 9.6).
 
    With theta = h omega + turn and t = theta/2 the directors of a body go to
 
@@ -35,7 +35,7 @@ static inline void turned_by(const double *a, const double *b, double *x)
 
 /* Whether a free node is a director that turns with its body. */
 static inline int is_director(const context *c, int32_t node)
-{ return is_reduced(c) && c->m->node_kind[node]; }
+{ return has_turns(c) && c->m->node_kind[node]; }
 
 /* Components of the unknown of a free node: a director has those of its body's turn. */
 static inline int unknown_size(const context *c, int32_t node)
@@ -132,7 +132,7 @@ static void turn_body(const context *c, int32_t a)
         EACH(k) {
             const double change = twice * (x[k] + y[k]);
             c->k.d[at + k] = change;
-            c->k.middle[at + k] = d[k] + 0.5 * change;
+            c->k.middle[at + k] = d[k] + c->theta * change;
             c->k.turned[at + k] = d[k] + change;
             c->k.w[at + k] = own[k] + twice * (y[k] - size2 * x[k]) - c->k.internal[at + k];
         }
@@ -232,6 +232,25 @@ static void internal_velocity(const double *v, const double *v_low, const double
 static void common_turn(const context *c, int32_t a, const double *x, double *turn)
 { turn_of_directors(c->s.q + DIM * a, x, turn); }
 
+/* What bodies do beside turning, with the other sign, in x (n, overwritten). */
+HM_SELDOM static void beside_turns(const context *c, double *x)
+{
+    clear_nodes(c, x);
+    EACH_TURN(c, b) {
+        const int32_t first = DIM * c->m->body_node[b];
+        double omega[TURNING], rest[TURNING], turned[DIM];
+        common_turn(c, c->m->body_node[b], c->s.v + first, omega);
+        for (int k = 0; k < TURNING; k++) omega[k] = (double)(float)omega[k];
+        for (int i = first; i < first + DIM * TURNING; i += DIM)
+            internal_velocity(c->s.v + i, c->s.v_low + i, omega, c->s.q + i, c->s.q_low + i, x + i);
+        common_turn(c, c->m->body_node[b], x + first, rest);
+        for (int i = first; i < first + DIM * TURNING; i += DIM) {
+            turned_by(rest, c->s.q + i, turned);
+            EACH(k) x[i + k] = turned[k] - x[i + k];
+        }
+    }
+}
+
 /* Largest angular velocity of a body [rad/s]. */
 HM_SELDOM static double fastest_turn(const context *c)
 {
@@ -276,6 +295,14 @@ static void begin_turn(const context *c, int32_t a, const double *acceleration)
     common_turn(c, a, c->k.internal + at, lost);
     for (int k = 0; k < TURNING; k++)
         c->k.turn[at + k] = lost[k] + 0.5 * c->h * c->h * acceleration[k];
+    turn_body(c, a);
+}
+
+/* Begins the turn of that body in a step from rest. */
+HM_SELDOM static void rest_as_body(const context *c, int32_t a)
+{
+    for (int32_t k = DIM * a; k < DIM * (a + TURNING); k++)
+        c->k.turn[k] = c->k.spun[k] = c->k.internal[k] = c->k.move[k] = 0.0;
     turn_body(c, a);
 }
 

@@ -197,13 +197,18 @@ static int32_t local_places(const context *c, int32_t j, int32_t *place)
 
 static inline int32_t *local_place(const context *c) { return (int32_t *)(void *)c->k.place; }
 
-/* Gradients of the composite's forms over the unknowns of its free nodes, at the theta and at the
-   end; returns the number of these. */
-static int32_t local_gradients(const context *c, int32_t j)
+/* Gradients of the composite's forms at the theta and at the end, over the unknowns of its free
+   nodes, or over these nodes; returns their number. */
+static int32_t local_gradients(const context *c, int32_t j, int over_nodes)
 {
     const holonom_model *m = c->m;
-    const int32_t *local = places_of(c, j), *place = local_place(c);
-    const int32_t size = local_places(c, j, local_place(c));
+    const int32_t *local = places_of(c, j);
+    int32_t *place = local_place(c), size = 0;
+    if (!over_nodes) size = local_places(c, j, place);
+    else
+        for (int32_t at = m->composite_node_ptr[j]; at < m->composite_node_ptr[j + 1]; at++)
+            *place++ = size, size += DIM;
+    place = local_place(c);
     const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
     const local_form *form = (const local_form *)c->k.local;
     memset(c->k.gradient, 0, sizeof(double) * (size_t)(forms * size));
@@ -214,10 +219,10 @@ static int32_t local_gradients(const context *c, int32_t j)
             const int32_t at = size * i + place[*local++];
             double g[DIM];
             entry_gradient(c, f, e, form->um, form->wm, g);
-            const int own = to_unknown(c, m->form_node[e], c->k.middle, g);
+            const int own = over_nodes ? DIM : to_unknown(c, m->form_node[e], c->k.middle, g);
             for (int k = 0; k < own; k++) c->k.gradient[at + k] += g[k];
             entry_gradient(c, f, e, form->u1, form->w1, g);
-            to_unknown(c, m->form_node[e], c->k.turned, g);
+            if (!over_nodes) to_unknown(c, m->form_node[e], c->k.turned, g);
             for (int k = 0; k < own; k++) c->k.gradient_end[at + k] += g[k];
         }
     }
@@ -325,10 +330,6 @@ static void links_at_start(const context *c)
          f++) /* what is only measured, too */
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     links_of_parts(c, ISLAND_LINKED, ISLAND_ACTIVE);
-    for IN_ISLAND(c, i, ISLAND_RIGIDITY_LINKED) {
-        const int32_t f = c->m->linked_form[i];
-        if (!is_reduced(c)) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
-    }
     if (!c->asleep || c->stepping)
         links_of_parts(c, ISLAND_TOUCHING_LINKED, ISLAND_TOUCHING_ACTIVE);
 }

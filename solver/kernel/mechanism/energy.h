@@ -160,6 +160,19 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
                                      : 0.0;
 }
 
+/* Rates (in rate) of the rows that keep directors of bodies orthonormal. Turns keep them, but
+   velocities of directors need not be those of a turn. */
+HM_SELDOM static void rigidity_rates(const context *c, double *rate)
+{
+    const holonom_model *m = c->m;
+    double u[DIM], w[DIM], vu[DIM], vw[DIM];
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) {
+        link_at_state(c, m->row_form[i], u, w);
+        link_of(c, m->row_form[i], c->s.v, vu, vw);
+        rate[i] = dot(u, vw) + dot(w, vu);
+    }
+}
+
 /* Part of its scale above which a row may show round-off of places alone, far from where it was
    drawn. */
 #define MAY_BE_ROUNDED 1e-12

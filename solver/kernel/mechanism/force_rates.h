@@ -23,7 +23,7 @@ enum { MOST_POWERS = 10 };
 static void respond(const context *at, double *x)
 {
     clear_bodies(at, at->k.torque, TURNING);
-    if (is_reduced(at)) reduce_momentum(at);
+    if (has_turns(at)) reduce_momentum(at);
     gather_momentum(at);
     EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = 0.0;
     solve_factors(at);

@@ -65,6 +65,16 @@ static double largest_row(const context *c, const double *phi)
     return largest;
 }
 
+/* Likewise, with the rows that keep directors of bodies orthonormal. */
+HM_SELDOM static double largest_of_all(const context *c, const double *phi)
+{
+    const holonom_model *m = c->m;
+    double largest = largest_row(c, phi);
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++)
+        largest = fmax(largest, fabs(phi[i]) / c->number[m->row_scale_at + i]);
+    return largest;
+}
+
 /* Largest angular velocity among those of the nodes, and speed over the size of the mechanism
    [1/s]; likewise of accelerations. */
 static double fastest_rate(const context *c, const double *v)

@@ -78,7 +78,8 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
     extrapolate(&c, c.s.head[S_TIME], DIM * m->n_driven, c.s.driven_mean, c.s.driven_mean_before,
                 driving);
     for (int32_t k = 0; k < DIM * m->n_driven; k++) driving[k] *= step;
-    for (int64_t k = 0; k < n; k++) c.k.d[k] = step * (c.s.v[k] + 0.5 * step * c.s.a[0][k]);
+    for (int64_t k = 0; k < n; k++)
+        move_of(&c)[k] = c.k.d[k] = step * (c.s.v[k] + 0.5 * step * c.s.a[0][k]);
     changes_of_composites(&c);
     book_step(&c);
     move_along(&c, step, c.s.a[0]);

@@ -28,13 +28,13 @@ static void add_correction(const context *at, double *x)
     add_solution(at, x);
 }
 
-/* Lets equations at the state have turns of bodies for unknowns, and factors without stiffness
-   where there are any. */
+/* Lets equations at the state have factors without stiffness where there are any. */
 static void take_unknowns(context *at)
 {
-    take_turns(at, at->m->n_reduced_values > 0);
+    look_at_all(at);
+    stand_still_as_bodies(at);
     at->rows_known = 0;
-    if (at->m->n_lean_values && is_reduced(at) == (n_bodies(at->m) > 0)) at->lu = lean_factors(at);
+    if (at->m->n_lean_values) at->lu = lean_factors(at);
 }
 
 /* Links at the state, and no increments. */
@@ -63,7 +63,6 @@ static void look_at_rows(context *at)
 {
     EACH_TURN(at, b) straighten(at, at->m->body_node[b]);
     stand_still(at);
-    stand_still_as_bodies(at);
 }
 
 /* Puts coordinates back onto the rows, by displacements as small as can be. A
@@ -91,22 +90,8 @@ HM_SELDOM static int32_t close_rows(context *at)
 /* Takes from the velocities of directors what is not a turn of their body. */
 HM_SELDOM static void turn_as_bodies(context *at)
 {
-    EACH_TURN(at, b) {
-        const int32_t first = DIM * at->m->body_node[b];
-        double omega[TURNING], rest[TURNING], left[DIM * TURNING], turned[DIM];
-        common_turn(at, at->m->body_node[b], at->s.v + first, omega);
-        for (int k = 0; k < TURNING; k++) omega[k] = (double)(float)omega[k];
-        for (int i = 0; i < DIM * TURNING; i += DIM)
-            internal_velocity(at->s.v + first + i, at->s.v_low + first + i, omega,
-                              at->s.q + first + i, at->s.q_low + first + i, left + i);
-        common_turn(at, at->m->body_node[b], left, rest);
-        for (int i = 0; i < DIM * TURNING; i += DIM) {
-            turned_by(rest, at->s.q + first + i, turned);
-            EACH(k)
-                hm_add(at->s.v + first + i + k, at->s.v_low + first + i + k,
-                       turned[k] - left[i + k]);
-        }
-    }
+    beside_turns(at, at->k.w);
+    add_to_velocities(at, 1.0, at->k.w);
 }
 
 /* Lets velocities follow rows and signals (in signal_rate), by the smallest change; it ends

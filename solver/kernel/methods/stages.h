@@ -12,7 +12,7 @@
 static inline int64_t stage_size(const context *at)
 {
     return DIM * (int64_t)at->n_moving
-           - (is_reduced(at) ? (DIM - 1) * TURNING * (int64_t)n_bodies(at->m) : 0);
+           - (has_turns(at) ? (DIM - 1) * TURNING * (int64_t)n_bodies(at->m) : 0);
 }
 
 /* First node behind those of a point or a body's directors that begin with node a, and components

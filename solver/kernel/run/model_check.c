@@ -17,7 +17,7 @@ typedef struct checker {
     const holonom_model *m;
     const int32_t *length;
     hm_counts count;
-    int lean, reduced; /* of the factors at hand */
+    int lean; /* of the factors at hand */
 } checker;
 
 static int within(const int32_t *value, int64_t count, int64_t low, int64_t end)
@@ -244,8 +244,8 @@ static int has_slots(const checker *c, size_t ptr, int64_t (*length)(const check
     return 1;
 }
 
-/* Whether the factors at hand are those of reduced steps. */
-static inline int is_of_turns(const checker *c) { return HM_BODIES && c->reduced; }
+/* Whether turns of bodies are unknowns. */
+static inline int is_of_turns(const checker *c) { return n_bodies(c->m) > 0; }
 
 static int is_turning(const checker *c, int32_t node)
 { return is_of_turns(c) && c->m->node_kind[node]; }
@@ -443,10 +443,10 @@ static int has_positions(const checker *c, const holonom_elimination *e, int64_t
 }
 
 /* Whether an elimination is one of this model. */
-HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination *e, size_t first,
-                                     int64_t n)
+HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination *e, size_t first)
 {
     const holonom_model *m = c->m;
+    const int64_t n = c->count.n_pivots;
 #define OWN(name) (first + TABLE(full.name) - TABLE(full))
     const int64_t n_groups = c->length[OWN(lu_group)] ? c->length[OWN(lu_group)] / 3 : n;
     const int32_t *group = c->length[OWN(lu_group)] ? e->lu_group : NULL;
@@ -502,7 +502,7 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
 
 HM_SELDOM int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
 {
-    checker checked = {m, table_length, {0}, 0, 0};
+    checker checked = {m, table_length, {0}, 0};
     const checker *c = &checked;
     if (!has_sizes(c)) return 0;
     const hm_counts *count = &checked.count;
@@ -512,21 +512,19 @@ HM_SELDOM int hm_is_consistent(const holonom_model *m, const int32_t *table_leng
         || !has_sound_loads(c) || !has_bodies(c) || !has_contacts(c) || !has_tape(c)
         || !has_islands(m, count))
         return 0;
-    const holonom_elimination *factors[] = {&m->full, &m->reduced, &m->open, &m->lean, &m->bare};
-    const size_t place[] = {TABLE(full), TABLE(reduced), TABLE(open), TABLE(lean), TABLE(bare)};
-    const int32_t n_values[] = {m->n_lu_values, m->n_reduced_values, m->n_open_values,
-                                m->n_lean_values, m->n_bare_values};
-    for (int i = 0; i < 5; i++) {
+    const holonom_elimination *factors[] = {&m->full, &m->open, &m->lean, &m->bare};
+    const size_t place[] = {TABLE(full), TABLE(open), TABLE(lean), TABLE(bare)};
+    const int32_t n_values[] = {m->n_lu_values, m->n_open_values, m->n_lean_values,
+                                m->n_bare_values};
+    for (int i = 0; i < 4; i++) {
         if (i && !n_values[i]) continue;
-        checked.reduced = i > 0 && m->n_bodies > 0;
-        checked.lean = i > 2;
-        const int64_t n = checked.reduced ? count->n_reduced_pivots : count->n_pivots;
+        checked.lean = i > 1;
         if (n_values[i] > m->n_lu_values
-            || !has_factors(m, count, factors[i], table_length + place[i], n, n_values[i])
-            || !has_elimination(c, factors[i], place[i], n))
+            || !has_factors(m, count, factors[i], table_length + place[i], n_values[i])
+            || !has_elimination(c, factors[i], place[i]))
             return 0;
     }
-    return m->n_reduced_values == 0 || m->n_bodies > 0;
+    return 1;
 }
 
 #include "small.h"

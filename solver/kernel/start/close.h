@@ -269,7 +269,7 @@ static void begin_closing(const context *c, closing *x)
     double turned = 0.0;
     x->farthest = 0.0;
     x->at = rows_at_state(c);
-    take_turns(&x->at, c->m->n_reduced_values > 0);
+    stand_still_as_bodies(&x->at);
     x->drawn = c->k.row_bias;
     x->aimed[JOINTS] = x->aimed[DRIVERS] = x->aimed[TURN] = 0.0;
     x->turned = -1;

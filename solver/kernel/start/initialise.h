@@ -10,31 +10,38 @@
 #include "dead_centre.h"
 #include "stepped.h"
 
+#define MOST_SOUGHT 20.0 /* twice the tangent of half a turn: some 170 degrees */
+
+/* Whether bodies turn so little in a step that is sought that turns tell where they are. */
+static int turns_tell(const context *c)
+{
+    double most = 0.0;
+    EACH_TURN(c, b)
+        for (int k = 0; k < TURNING; k++)
+            most = fmax(most, fabs(c->k.move[DIM * c->m->body_node[b] + k]));
+    return most <= MOST_SOUGHT;
+}
+
 /* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and
    that of d. */
 static int32_t seek_increment(context *c, double *increment, double *size)
 {
-    const holonom_model *m = c->m;
-    const double longest = 0.3 * c->number[m->extent_at + 1];
-    double increment2 = 0.0, size2 = 0.0;
+    const double longest = 0.3 * c->number[c->m->extent_at + 1];
     gather_rhs(c);
     solve_factors(c);
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double *x = c->k.rhs + m->full.node_position[a];
-        increment2 += c->number[m->node_mass_at + a] * dot(x, x);
-    }
-    *increment = sqrt(increment2);
+    add_increment(c, increment, size);
+    *increment = sqrt(*increment);
     if (!(*increment < 1e150)) return HOLONOM_NOT_FINITE;
-    const double part = *increment > longest ? longest / *increment : 1.0;
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double *x = c->k.rhs + m->full.node_position[a];
-        EACH(k) c->k.w[DIM * a + k] = c->k.d[DIM * a + k] += part * x[k];
-        size2 += c->number[m->node_mass_at + a] * dot(c->k.d + DIM * a, c->k.d + DIM * a);
+    if (*increment > longest) {
+        const double part = longest / *increment;
+        double unused;
+        take_back(c);
+        for (int32_t k = first_pivot(c); k < end_pivot(c); k++) c->k.rhs[k] *= part;
+        add_increment(c, &unused, size);
     }
-    for (int32_t i = 0; i < m->n_rows; i++)
-        c->k.lambda[i] = c->k.mu[i] += part * c->k.rhs[m->full.row_position[i]];
-    *size = sqrt(size2);
-    return HOLONOM_OK;
+    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
+    *size = sqrt(*size);
+    return turns_tell(c) ? HOLONOM_OK : HOLONOM_NEWTON_DIVERGED;
 }
 
 /* One such step of length h, without forces where `constraints_only`; its size in the mass norm.
@@ -54,6 +61,7 @@ HM_SELDOM static int32_t seek_step(const context *begun, double h, int constrain
     c->theta = 1.0;
     c->h = h;
     c->constraints_only = constraints_only;
+    EACH_TURN(c, b) rest_as_body(c, c->m->body_node[b]);
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.mu[i] = c->k.lambda[i] = c->s.mu[0][i];
         c->k.epsilon[i] =
@@ -79,6 +87,7 @@ HM_SELDOM static int32_t seek_step(const context *begun, double h, int constrain
 static void take_over(context *c)
 {
     for (int32_t k = 0; k < DIM * c->n_moving; k++) hm_add(c->s.q + k, c->s.q_low + k, c->k.d[k]);
+    EACH_TURN(c, b) straighten(c, c->m->body_node[b]);
     memcpy(c->s.mu[0], c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
 }
 
@@ -106,22 +115,25 @@ static double lost_of_given(const context *c, const double *given)
 }
 
 /* Velocities next to those given (n), in the mass metric, that the rows allow. Where they are to be
-   kept, by large `weight`s, three rounds each begin with them again, and more follow where that
+   kept, by large weights, three rounds each begin with them again, and more follow where that
    brings them nearer: gears may make what is not given heavier yet. The others let the rows hold to
    round-off. What rows still ask for, over their scales, becomes `defect`. */
-HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given,
-                                                    const double *weight, double *defect)
+HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given, int keep_given,
+                                                    double *defect)
 {
     const holonom_model *m = c->m;
+    double *factor = c->k.stages; /* powers of 2: masses come back exactly */
     double last = INFINITY, lost = INFINITY;
-    for (int round = weight ? 0 : 3; round <= ROUNDS; round++) {
-        if (round == 3 && weight) {
+    for (int32_t a = 0; a < m->n_free; a++) factor[a] = sqrt(c->number[m->velocity_weight_at + a]);
+    for (int round = keep_given ? 0 : 3; round <= ROUNDS; round++) {
+        if (round == 3 && keep_given) {
             const double before = lost;
             lost = lost_of_given(c, given);
             if (lost > GIVEN_HOLD && lost < 0.9 * before) round = 2;
         }
         for (int32_t k = 0; k < DIM * m->n_free && round < 3; k++)
             if (is_given(c, k / DIM)) c->s.v[k] = given[k];
+        turn_as_bodies(c);
         stand_still(c);
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
@@ -130,7 +142,9 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
         if (round == ROUNDS || (round > 3 && !(*defect < 0.5 * last)))
             break; /* light parts cost digits: again, as long as it helps */
         last = round < 3 ? INFINITY : *defect;
-        const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
+        if (round < 3) scale_masses(c, factor, 0);
+        const int32_t status = solve_at_state(c);
+        if (round < 3) scale_masses(c, factor, 1);
         if (status) return status;
         add_solution(c, c->s.v);
     }
@@ -143,10 +157,9 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
 HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
 {
     const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving);
-    const double *weight = keep_given ? c->number + c->m->velocity_weight_at : NULL;
     double *given = c->k.pair_backup, *by_masses = given + DIM * c->n_moving, defect;
     memcpy(given, c->s.v, bytes);
-    int32_t status = project_initial_velocities(c, given, weight, &defect);
+    int32_t status = project_initial_velocities(c, given, keep_given, &defect);
     if (status) return status;
     const int holds = defect <= RATES_HOLD * fastest_rate(c, c->s.v);
     const double lost = keep_given ? lost_of_given(c, given) : 0.0;
@@ -154,7 +167,7 @@ HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
     memcpy(by_masses, c->s.v, bytes);
     memcpy(c->s.v, given, bytes);
     status = take_even_metric(c);
-    if (!status) status = project_initial_velocities(c, given, weight, &defect);
+    if (!status) status = project_initial_velocities(c, given, keep_given, &defect);
     leave_even_metric(c);
     if (holds && (status || !(lost_of_given(c, given) < 0.5 * lost)))
         memcpy(c->s.v, by_masses, bytes);
@@ -276,6 +289,7 @@ static void take_initial(context *c)
                  driven = sizeof(double) * (size_t)(DIM * m->n_driven);
     memcpy(c->s.q, c->number + m->initial_position_at, bytes);
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
+    EACH_TURN(c, b) straighten(c, m->body_node[b]);
     memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
     c->s.head[S_INPUT_STEP] = c->s.head[S_INPUT_STEP_BEFORE] = 0.0;
     settle_sides(c, c->t, 0); /* those of the time, for signals */

@@ -23,6 +23,7 @@ static void stand_still(context *c)
     clear_nodes(c, c->k.d);
     EACH_ROW(c, i) c->k.mu[i] = c->k.lambda[i] = 0.0;
     rows_at_start(c, 1);
+    stand_still_as_bodies(c);
 }
 
 /* A point: place of node a [m]; NULL of a direction. */
@@ -82,7 +83,7 @@ static int32_t add_function_sigmas(const context *c, double *sigma)
         composite_result result = {0.0, 0.0, 0.0};
         const int32_t status = composite_slopes(&step, j, WITH_ENDS, &result);
         if (status) return status;
-        local_gradients(&step, j);
+        local_gradients(&step, j, 1);
         for (int32_t k = 0; k < DIM * size; k++) {
             double g = 0.0;
             for (int32_t f = 0; f < forms; f++)
@@ -108,8 +109,10 @@ static int32_t derive_scales(context *c)
         scale[i] = c->number[m->row_base_at + i];
         for (int32_t k = 0; k < m->row_power[i]; k++) scale[i] *= extent;
     }
-    for (int32_t i = 0; i < m->n_form_rows + m->n_coincidences; i++) {
-        const int32_t j = i - m->n_form_rows, f = j < 0 ? m->row_form[i] : m->coincidence_form[j];
+    const int32_t with_force = m->n_form_rows - m->n_rigidity_rows;
+    for (int32_t k = 0; k < with_force + m->n_coincidences; k++) {
+        const int32_t j = k - with_force, i = j < 0 ? k : m->n_form_rows + j;
+        const int32_t f = j < 0 ? m->row_form[i] : m->coincidence_form[j];
         for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
             const double inverse = 1.0 / node_mass[m->form_node[e]];
             double g[DIM], square = hm_square(c->number[m->alpha_at + e]);
@@ -157,53 +160,46 @@ static context rows_at_state(const context *c)
 static inline int32_t *rows_on(const context *c) { return (int32_t *)(void *)c->k.rows_on; }
 
 /* Lists the multipliers whose rows are on, which the factors at hand join to the motion. */
-static void list_rows_on(const context *c)
+static void list_rows_on(const context *rows)
 {
-    int32_t *on = rows_on(c), n = 0;
-    for (int32_t i = 0; i < c->m->n_rows; i++)
-        if (state_of_multiplier(c, i) != ROW_IS_OFF) on[++n] = i;
+    int32_t *on = rows_on(rows), n = 0;
+    EACH_ROW(rows, i)
+        if (state_of_multiplier(rows, i) != ROW_IS_OFF) on[++n] = i;
     on[0] = n;
 }
 
-/* Factors of these equations, of the mass matrix times node weights if given. */
-static int32_t factorise_at_state(const context *c, const double *weight)
+/* Factors of these equations. */
+static int32_t factorise_at_state(const context *c)
 {
-    const holonom_model *m = c->m;
     const context rows = rows_at_state(c);
     const int32_t status = assemble_tangent(&rows);
-    if (status) return status;
-    for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
-        const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
-        EACH(k)
-            c->k.value[m->full.mass_slot[DIM * e + k]] += (both - 1.0) * c->number[m->mass_at + e];
-    }
-    list_rows_on(c);
-    return factorise_matrix(&rows);
+    list_rows_on(&rows);
+    return status ? status : factorise_matrix(&rows);
 }
 
 /* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the
-   present links; a sliding row has mu - (that of its cone) = g instead. f is `momentum`, g is `phi`
-   (both not modified); x in rhs order of the unknowns; regularised and iterated so that dependent
-   rows do no harm. */
+   present links; a sliding row has mu - (that of its cone) = g instead. f is `momentum` over the
+   unknowns, g is `phi` (both not modified); x in rhs order of the unknowns; regularised and
+   iterated so that dependent rows do no harm. */
 static void solve_with_factors(const context *c)
 {
-    const holonom_model *m = c->m;
-    const int32_t *on = rows_on(c), n = *on++;
+    const context rows = rows_at_state(c); /* mu = 0 */
+    const int32_t *on = rows_on(c), n = *on++, *position = rows.lu->row_position;
     double largest = 0.0, change = INFINITY;
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[m->full.row_position[i]] = 0.0;
+    EACH_ROW(&rows, i) c->k.rhs[position[i]] = 0.0;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
-        gather_momentum(c);
+        gather_momentum(&rows);
         for (int32_t j = 0; j < n; j++) {
             const int32_t i = on[j];
-            c->k.rhs[m->full.row_position[i]] = state_of_multiplier(c, i) == ROW_IS_SLIDING
-                                                    ? -c->k.epsilon[i] * c->k.phi[i]
-                                                    : -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
+            c->k.rhs[position[i]] = state_of_multiplier(c, i) == ROW_IS_SLIDING
+                                        ? -c->k.epsilon[i] * c->k.phi[i]
+                                        : -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
         }
-        solve_factors(c);
+        solve_factors(&rows);
         largest = change = 0.0;
         for (int32_t j = 0; j < n; j++) {
             const int32_t i = on[j];
-            const double mu = c->k.rhs[m->full.row_position[i]];
+            const double mu = c->k.rhs[position[i]];
             change = fmax(change,
                           c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */
             largest = fmax(largest, c->k.epsilon[i] * fabs(mu));
@@ -212,20 +208,27 @@ static void solve_with_factors(const context *c)
     }
 }
 
+/* Likewise from momenta of nodes. */
+static void solve_for_momenta(const context *c)
+{
+    clear_bodies(c, c->k.torque, TURNING);
+    if (has_turns(c)) reduce_momentum(c);
+    solve_with_factors(c);
+}
+
 /* Likewise for given `phi` and `momentum`: x in coordinates (overwritten), multipliers in mu. */
 static void solve_for(const context *c, double *x)
 {
-    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     memset(x, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    solve_with_factors(c);
+    solve_for_momenta(c);
     add_solution(c, x);
 }
 
 /* Likewise with new factors. */
-static int32_t solve_at_state(const context *c, const double *weight)
+static int32_t solve_at_state(const context *c)
 {
-    const int32_t status = factorise_at_state(c, weight);
-    if (!status) solve_with_factors(c);
+    const int32_t status = factorise_at_state(c);
+    if (!status) solve_for_momenta(c);
     return status;
 }
 
@@ -274,7 +277,7 @@ static int32_t residual_at_state(const context *at)
         const double share = damping_at_state(at, j, &power);
         add_slopes(at, j, share, at->k.slope);
     }
-    if (is_reduced(at)) reduce_momentum(at);
+    if (has_turns(at)) reduce_momentum(at);
     return status;
 }
 
@@ -434,24 +437,14 @@ static int has_small_pivot(const context *c, const holonom_elimination *lu)
    larger penalty serves them. */
 #define LEFT_OF_DEPENDENT_ROWS 0.5
 
-/* Lets these equations have turns of bodies for unknowns; directors are those of the state. A
-   context has pointers to its own parts: it is not to be returned from here on. */
-static void take_turns(context *rows, int turns)
-{
-    use_unknowns(rows, turns);
-    stand_still_as_bodies(rows);
-}
-
 /* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties
-   of the others. With coordinates of directors as unknowns, rows of joints that one director alone
-   carries would look dependent: where there are bodies, their turns are the unknowns. Takes from
-   multipliers mu (n_rows, modified), if any, what dependent rows do not determine, as steps do:
-   `accelerations` shares it with rows of rigidity. */
+   of the others. Takes from multipliers mu (n_rows, modified), if any, what dependent rows do not
+   determine, as steps do. */
 static void judge_rows(const context *c, double *mu)
 {
     const holonom_model *m = c->m;
     context rows = rows_at_state(c);
-    take_turns(&rows, m->n_reduced_values > 0);
+    stand_still_as_bodies(&rows);
     const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
@@ -497,6 +490,14 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
     int32_t status = HOLONOM_OK;
     stand_still(c);
     row_biases(c);
+    EACH_TURN(c, b) { /* directors stay orthonormal */
+        const int32_t first = DIM * m->body_node[b];
+        for (int i = first; i < first + DIM * TURNING; i += DIM)
+            for (int j = first; j < first + DIM * TURNING; j += DIM) {
+                const double both = dot(c->s.v + i, c->s.v + j);
+                EACH(k) c->k.w[i + k] -= both * c->s.q[j + k];
+            }
+    }
     memset(mu, 0, rows);
     c->cone_mu = mu;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
@@ -504,14 +505,13 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
         memcpy(c->k.mu, mu, rows);
         if ((status = forces_at_state(c))) return status;
         row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
-        for (int32_t i = 0; i < m->n_rows; i++)
+        EACH_ROW(c, i)
             c->k.phi[i] = state_of_multiplier(c, i) == ROW_IS_SLIDING ? c->k.lambda[i] - mu[i]
                                                                       : c->k.row_bias[i] + rate[i];
-        if ((refinement == 0 || turns) && (status = factorise_at_state(c, NULL))) return status;
-        memset(c->k.mu, 0, rows);
+        if ((refinement == 0 || turns) && (status = factorise_at_state(c))) return status;
         solve_with_factors(c);
         add_solution(c, c->k.w);
-        for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
+        EACH_ROW(c, i) mu[i] += c->k.mu[i];
         if (slides_in_space(c) && is_refined(c, mu)) break; /* each refinement runs its slips */
     }
     c->cone_mu = c->k.mu;
@@ -532,7 +532,7 @@ HM_SELDOM static void find_freedom(context *c)
     for (int32_t k = 0; k < DIM * m->n_free; k++) /* in no simple relation to each other */
         c->k.momentum[k] =
             sqrt(c->number[m->node_mass_at + k / DIM]) * (1.0 + 0.618 * k - floor(0.618 * k));
-    if (factorise_at_state(c, NULL)) return;
+    if (factorise_at_state(c)) return;
     solve_for(c, x);
     for (int32_t a = 0; a < m->n_free; a++)
         c->s.freedom[a] =
