@@ -27,8 +27,8 @@ enum { MOST_PASSES = 8 };
 #define AIMED_DIFFERENCE                                                                           \
     5e-4 /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked    \
             for more steps */
-/* Of the largest difference of a node, in that of a step, which tells more of light nodes than steps
-   err: with 1 a tree of 25 bodies takes 1.4 times as many stages, with 0.2 1.15 times. */
+/* Of the largest difference of a node, in that of a step, which tells more of light nodes than they
+   err by: with 1 a tree of 25 bodies takes 1.4 times as many stages, with 0.2 1.13 times. */
 #define NODES_OF_STAGES 0.2
 /* Impacts multiply errors of the motion before them; explicit steps have no margin for that, so
    that each error counts so many times. */
