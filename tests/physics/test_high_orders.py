@@ -259,6 +259,20 @@ def test_about_the_vertical_the_angular_momentum_stays_under_gravity(order):
     assert float(run["angular_momentum.z"]) == pytest.approx(before, abs=1e-13)
 
 
+UNRESOLVED = """
+name = "pendulum_with_a_light_point"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+A = { position = [0.6, -0.8], mass = 1.0 }
+B = { position = [1.2, -0.8], mass = 1e-4 }
+[joints]
+rod = { type = "distance", points = ["ground", "A"], at = [0, 0] }
+[forces]
+spring = { type = "spring", points = ["A", "B"], stiffness = 1e4 }
+"""
+
+
 def test_steps_too_long_for_weights_are_left_of_order_two_and_that_is_said():
     # Half a period of the spring in a step: the ends of covers do not tell powers of their length.
     said: list[str] = []
@@ -269,6 +283,18 @@ def test_steps_too_long_for_weights_are_left_of_order_two_and_that_is_said():
     assert abs(float(run["energy.balance"])) < 1e-14
     (sentence,) = said
     assert sentence.startswith("solver.order is 4, but steps are of order 2")
+
+
+def test_springs_that_a_tolerance_leaves_unresolved_are_named_and_no_losses():
+    # 1e4 rad/s beside a pendulum of 1 s: nothing takes energy out.
+    said: list[str] = []
+    run = Integrator(solver.assemble(solver.loads(UNRESOLVED)), log=said.append)
+    run["solver.order"], run["solver.tolerance"] = 4.0, 1e-3
+    run.advance(0.0, 0.5)
+    assert run["solver.order_in_use"] == 2.0
+    (sentence,) = [text for text in said if "order 2" in text]
+    assert "springs are much faster than the motion" in sentence
+    assert "energy out" not in sentence
 
 
 def test_a_damper_that_cannot_move_leaves_the_order():

@@ -194,7 +194,7 @@ static int judge_step(context *c, double h, double step)
     if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->last.longest_put_back);
     if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
     head[S_ERROR_ESTIMATE] += share * h * tolerated(c) / head[S_HORIZON];
-    if (judged) head[S_LAST_RATE] = e.rate;
+    if (judged) head[S_LAST_RATE] = e.rate_of_all;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is
        judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m)

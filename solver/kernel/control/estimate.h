@@ -32,6 +32,7 @@
 
 typedef struct step_error {
     double rate;  /* omega [1/s] */
+    double rate_of_all; /* likewise by the mass norm, which changes less from step to step */
     double free;  /* likewise of what rows leave free */
     double mean;  /* error, relative to size and speed */
     double settled; /* likewise of what strong dampers settle: it is gone with the step, and does
@@ -190,15 +191,18 @@ static int estimate_error(context *c, double h, step_error *e)
     const int order = (int)c->s.head[S_ORDER_IN_USE];
     const method *used = method_of(order, c->last.method == EXPLICIT), *pair = METHODS;
     const double *x = c->k.estimate + (c->last.finest ? 0 : c->s.n_motion);
-    double difference;
-    if (c->last.method == EXPLICIT) difference = c->last.difference;
-    else if (c->last.method == COVERED) difference = motion_error(c, x);
-    else if (!difference_of_pairs(c, h, &difference)) return 0;
+    double of_all; /* the difference by the mass norm, which judges pairs alone */
+    if (c->last.method == EXPLICIT) of_all = c->last.difference;
+    else if (c->last.method == COVERED) of_all = motion_error(c, x);
+    else if (!difference_of_pairs(c, h, &of_all)) return 0;
+    const double difference = c->last.method == COVERED && !c->last.finest
+                                  ? fmax(of_all, motion_error_at_node(c, x, h))
+                                  : of_all;
     e->is_noise = is_noise(c, used->round_off, difference, h);
     if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after
                              so many pairs */
         e->mean = difference;
-        e->rate = e->free =
+        e->rate = e->free = e->rate_of_all =
             hm_pow(difference * c->last.finest * c->last.finest / pair->mean, 1.0 / 3.0) / h;
         return 1;
     }
@@ -208,6 +212,7 @@ static int estimate_error(context *c, double h, step_error *e)
                  freed = part == 1.0 ? turned : used->rate * hm_pow(part * difference, root);
     e->free = freed / h;
     e->rate = turned / h;
+    e->rate_of_all = used->rate * hm_pow(of_all, root) / h;
     if (c->last.method == EXPLICIT)
         e->rate = fmax(e->rate, mass_norm(c, c->s.a[0])
                                     / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
@@ -218,13 +223,15 @@ static int estimate_error(context *c, double h, step_error *e)
         c->last.method != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
     if (c->last.method == COVERED && order > 4) { /* differences fall from order to order, and the
                                                      error falls as much once more */
-        const double before = motion_error(c, x + c->s.n_motion);
+        const double before = fmax(motion_error(c, x + c->s.n_motion),
+                                   motion_error_at_node(c, x + c->s.n_motion, h));
         const double next = difference * difference / hm_hypot(difference, before);
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
-    else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m)) && e->rate > SUDDEN * before_it)
+    else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m))
+             && e->rate_of_all > SUDDEN * before_it)
         e->mean = fmax(e->mean, AT_A_JUMP * difference);
     if (is_slaved && order == 2)
         e->settled = SLAVED * h * h * error_norm(c, c->k.estimate) / fmax(speed_scale(c), 1e-300);

@@ -64,4 +64,12 @@ static double motion_error(const context *c, const double *x)
     return relative_size(c, error_norm(c, x), error_norm(c, x + DIM * c->n_moving));
 }
 
+/* Largest error of a node, of a step of length h. */
+static double motion_error_at_node(const context *c, const double *x, double h)
+{
+    const node_scales scales = scales_of_nodes(c, h);
+    return hm_hypot(largest_node_error(c, &scales, 0, x),
+                    largest_node_error(c, &scales, 1, x + DIM * c->n_moving));
+}
+
 #endif

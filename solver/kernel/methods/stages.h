@@ -39,24 +39,36 @@ static void weigh_stages(const context *at, const double *weight, int stages, do
     }
 }
 
-/* Size of the sum of so many stages with these weights, relative to size and speed: of the island
-   where it is largest. */
-HM_SELDOM static double size_of_sum(const context *at, const double *weight, int stages)
+/* Size of the sum of so many stages with these weights, of a step of length h, relative to size and
+   speed: of the island where it is largest, and of the node (of_node, overwritten). */
+HM_SELDOM static double size_of_sum(const context *at, const double *weight, int stages, double h,
+                                    double *of_node)
 {
+    const node_scales scales = scales_of_nodes(at, h);
     const double *x = at->k.estimate, *v = x + stage_size(at);
     const double all = mass_of_all(at);
     double largest = 0.0;
     int components;
+    *of_node = 0.0;
     weigh_stages(at, weight, stages, at->k.estimate);
     for (int32_t island = 0; island < at->m->n_islands; island++) {
         const span nodes = free_nodes(at, island);
+        const double own = mass_of_nodes(at, nodes);
         double square[2] = {0.0, 0.0};
         for (int32_t a = nodes.begin; a < nodes.end; x += components, v += components) {
             const double mass =
                 (is_director(at, a) ? DIM - 1 : 1) * at->number[at->m->node_mass_at + a];
+            const int32_t node = a;
+            double own_square[2] = {0.0, 0.0};
             a = behind(at, a, &components);
             for (int k = 0; k < components; k++)
-                square[0] += mass * x[k] * x[k], square[1] += mass * v[k] * v[k];
+                own_square[0] += x[k] * x[k], own_square[1] += v[k] * v[k];
+            for (int k = 0; k < 2; k++) {
+                const double error =
+                    node_error(at, &scales, k, node, h * sqrt(own_square[k]), mass, own) / h;
+                square[k] += mass * own_square[k];
+                if (!(error <= *of_node)) *of_node = error;
+            }
         }
         const double times = sqrt(weight_of_island(at, island, all));
         const double size = relative_size(at, times * sqrt(square[0]), times * sqrt(square[1]));

@@ -317,7 +317,8 @@ static int say_stepped(hm_text *text, const double *head)
     return is_lasting;
 }
 
-/* Says that dampers kept a step at order 2; nothing where none is due. Returns whether it is so for
+/* Says what kept a step at order 2: springs under a tolerance, else losses; nothing where none is
+   due. Returns whether it is so for
    all steps, by what the mechanism is and its settings, and not for one that was too long, or at
    rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers,
@@ -325,14 +326,16 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
 {
     if (HM_CONTACTS && head[S_STEPPED] != 0.0) return say_stepped(text, head);
     if (!(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
-    hm_say(text,
-           "solver.order is %6g, but steps are of order 2: %s energy out, and the motion changes "
-           "too much in a step of this length, "
-           "or not at all%s",
-           head[S_ORDER],
-           model_has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
-           hm_tolerance(head) > 0.0 ? "; a tight solver.tolerance takes many steps of order 2"
-                                    : "");
+    hm_say(text, "solver.order is %6g, but steps are of order 2: ", head[S_ORDER]);
+    if (hm_tolerance(head) > 0.0)
+        hm_say(text, "springs are much faster than the motion, and steps of a higher order that do "
+                     "not resolve them would swing them up; a tight solver.tolerance takes many "
+                     "steps of order 2, or resolves them");
+    else
+        hm_say(text,
+               "%s energy out, and the motion changes too much in a step of this length, "
+               "or not at all",
+               model_has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes");
     return 0;
 }
 
