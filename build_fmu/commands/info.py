@@ -38,6 +38,8 @@ VARIABLE_FIELDS = {
 """What --json has of a variable, and what it is called there."""
 CAUSES = (*LOSSES.values(),)
 """What takes energy out."""
+ALWAYS, OPEN = "always", "while all contacts of a part are open"
+"""When multipliers may follow before Newton's iteration ends."""
 ROUNDING = 1e-10
 """Part of the largest value of its unit below which a value is shown as 0."""
 
@@ -127,7 +129,7 @@ def _step(model: Model, redundant: bool) -> dict[str, Any]:
     replaced = (3 if dim == 3 else 1) * sizes["n_bodies"]  # directors, by turns
     pivots = pairwise(model.tables["lu_group"][::3])
     return {
-        "early_updates": redundant or not located,
+        "early_updates": OPEN if located and not redundant else ALWAYS,
         "coordinates": dim * (sizes["n_free"] - replaced),
         "turns": replaced,
         "multipliers": sizes["n_rows"] - sizes["n_rigidity_rows"],
@@ -196,9 +198,10 @@ def _unknowns(step: Mapping[str, Any]) -> str:
     text = f"{' + '.join(parts)}; {step['factors']} numbers in the factors{lean}"
     if bodies := step["articulated_bodies"]:
         text += f"; {bodies} eliminated with {'its joint' if bodies == 1 else 'their joints'}"
-    if step["early_updates"]:
-        return f"{text}; multipliers follow before Newton's iteration ends"
-    return f"{text}; multipliers held while Newton iterates"
+    text += "; multipliers follow before Newton's iteration ends"
+    if step["early_updates"] == ALWAYS:
+        return text
+    return f"{text} while all contacts of their part are open, else they are held"
 
 
 def _package(package: Mapping[str, Any]) -> str:

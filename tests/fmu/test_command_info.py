@@ -91,7 +91,12 @@ def test_a_step_has_three_unknowns_of_a_turn_in_place_of_nine_directors_and_six_
     ("name", "words"),
     [
         ("bricard", "multipliers follow before Newton's iteration ends"),
-        ("cam_and_follower", "multipliers held while Newton iterates"),
+        ("pile_of_discs", "multipliers follow before Newton's iteration ends"),
+        (
+            "cam_and_follower",
+            "multipliers follow before Newton's iteration ends while all contacts of their part "
+            "are open, else they are held",
+        ),
     ],
 )
 def test_it_says_where_multipliers_follow_early(capsys, name, words):
