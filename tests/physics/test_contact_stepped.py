@@ -381,3 +381,15 @@ def test_friction_of_a_chain_that_glides_without_load_gives_no_energy(links, h):
         found = [number(integrator, f"energy.{word}") for word in ("impact", "friction")]
         assert np.min(found - losses) >= -1e-14
         losses = np.array(found)
+
+
+def test_ends_of_a_rod_that_stop_in_the_half_step_of_a_landing_are_found_in_few_choices():
+    # A stiff rod whose upper end lands cannot have both ends at rest on the mean of that half step:
+    # they stop at its start. A choice takes 2 to 8 increments, and 60 in turn end the search.
+    scene = solver.load(SCENES / "falling_rod.toml", {"solver.contact_mode": "stepped"})
+    integrator = Integrator(solver.assemble(scene), log=lambda _: None)
+    integrator.initialise()
+    for k in range(50):
+        integrator.advance(0.01 * k, 0.01)
+        assert integrator.state.head["newton_iterations"] <= 100
+    assert integrator["lower_end.mode"] == integrator["upper_end.mode"] == 2.0
