@@ -393,3 +393,16 @@ def test_ends_of_a_rod_that_stop_in_the_half_step_of_a_landing_are_found_in_few_
         integrator.advance(0.01 * k, 0.01)
         assert integrator.state.head["newton_iterations"] <= 100
     assert integrator["lower_end.mode"] == integrator["upper_end.mode"] == 2.0
+
+
+def test_two_hits_of_a_die_are_told_apart_by_steps_shorter_than_the_time_between_them():
+    # Two corners land 0.4 ms one after the other, which a step of 2 ms takes for one impact.
+    lost = []
+    for settings in ({"order": 4}, STEPPED | {"step_size": 1e-4}, STEPPED | {"step_size": 2e-3}):
+        over = {f"solver.{name}": value for name, value in settings.items()}
+        scene = solver.load(SCENES / "die_in_a_bowl.toml", over)
+        table = solver.simulate(scene, stop_time=0.2, outputs=["energy.impact"])
+        lost.append(table["energy.impact"][-1])
+    located, fine, coarse = lost
+    assert fine == pytest.approx(located, rel=1e-3)
+    assert abs(coarse - located) > 0.05 * located
