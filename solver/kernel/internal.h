@@ -86,14 +86,21 @@ static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
 
 void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment);
 
-int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
-                     double *value);
-void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
-                 const double *value, double *x);
-int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
-                          const int32_t *target, double *value, int32_t *count, int32_t *live);
-void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count,
-                      const int32_t *live, const double *value, double *x);
+int32_t hm_lu_factor(const holonom_elimination *lu, int32_t begin, int32_t end,
+                     const int32_t *target, double *value);
+void hm_lu_solve(const holonom_elimination *lu, int32_t begin, int32_t end, const double *value,
+                 double *x);
+/* Of factors most of whose stored entries are 0: how many of each pivot are not, in U and L each,
+   their columns, where those of all stored ones begin, and the pivots that have any, in order, from
+   the first of an island on; -1 behind these. */
+typedef struct live_pivots {
+    int32_t *count, *joined, *column;
+} live_pivots;
+
+int32_t hm_lu_factor_live(const holonom_elimination *lu, int32_t begin, int32_t end,
+                          const int32_t *target, double *value, const live_pivots *x);
+void hm_lu_solve_live(const holonom_elimination *lu, int32_t begin, int32_t end,
+                      const live_pivots *live, const double *value, double *x);
 
 int32_t hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last, double *value);
 void hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last, const double *value,

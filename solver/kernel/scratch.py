@@ -75,6 +75,7 @@ WORK = {
     "weighted_loss": "n_elements + n_function_rows + n_velocity_rows + n_potentials",
     "stages": "12 * n_motion",  # velocities and accelerations of twelve, see stages.h
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
+    "rows_on": "n_rows + 1",  # integers, see list_rows_on
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
     "kept_forces": "16 * n_rows * unilateral", "kept_time": "16",  # of the step, see keep_forces
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts, see event_functions.h

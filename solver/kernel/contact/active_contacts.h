@@ -12,7 +12,8 @@ enum {
     FEW = 2,           /* objections that change the choice without a guess */
     FEW_NEAR = 8,      /* contacts near that need no guess */
     MOST_GUESSES = 8,
-    MOST_SWEEPS = 10000 /* of a guess */
+    MOST_SWEEPS = 10000, /* of a guess */
+    CHOSEN = 20          /* sweeps in turn that close and open none: the choice is made */
 };
 #define RELAXATION 1.6     /* of these sweeps */
 #define BEYOND 10.0        /* times the largest force guessed: contacts contradict each other */
@@ -35,8 +36,8 @@ static int32_t gradient_of_gap(const context *c, int32_t i, double *gradient, do
 
 /* Chooses anew, from the half step that is solved, those contacts that would be closed if masses of
    nodes were all that couples gaps: N >= 0 _|_ g + W (N - N_0) >= 0 by projected over-relaxed
-   sweeps (Cryer 1971), which cost far less than another factorisation. Where rows couple gaps, too,
-   more will object. */
+   sweeps (Cryer 1971), which cost far less than another factorisation, until the choice settles:
+   forces in a pile do so far later. Where rows couple gaps, too, more will object. */
 static int32_t guess_choice(context *c, int parity)
 {
     const holonom_model *m = c->m;
@@ -58,7 +59,7 @@ static int32_t guess_choice(context *c, int parity)
             end[2] += half * hm_square(end[4 + k]) / c->number[m->node_mass_at + node[k / DIM]];
         end += stride;
     }
-    for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+    for (int sweep = 0, since = 0; sweep < MOST_SWEEPS && since < CHOSEN; sweep++, since++) {
         double largest = 0.0;
         for (double *at = first; at < end; at += stride) {
             const int32_t j = m->contact_row[(int32_t)at[3]],
@@ -72,6 +73,7 @@ static int32_t guess_choice(context *c, int parity)
             for (int32_t k = 0; k < size; k++)
                 way[DIM * node[k / DIM] + k % DIM] +=
                     half * change * at[4 + k] / c->number[m->node_mass_at + node[k / DIM]];
+            if ((normal > 0.0) != (at[1] > 0.0)) since = 0;
             at[1] = normal;
             largest = fmax(largest, fabs(change) * at[2]);
         }

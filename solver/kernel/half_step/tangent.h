@@ -364,11 +364,12 @@ static void add_solution(const context *c, double *x)
 static inline int is_mostly_empty(const context *c)
 { return n_contacts(c->m) > FEW_CONTACTS && !is_open(c); }
 
-/* Entries of each pivot that are not 0; behind these counts their columns. */
-static inline int32_t *live_counts(const context *c) { return (int32_t *)(void *)c->k.live; }
-
-static inline int32_t *live_columns(const context *c)
-{ return live_counts(c) + DIM * c->m->n_free + c->m->n_rows; }
+static inline live_pivots live_pivots_of(const context *c)
+{
+    int32_t *count = (int32_t *)(void *)c->k.live;
+    const int32_t n = DIM * c->m->n_free + c->m->n_rows;
+    return (live_pivots){count, count + n, count + 2 * n};
+}
 
 /* Whether pivots are eliminated in groups. */
 static inline int has_groups(const context *c) { return is_reduced(c) && !is_mostly_empty(c); }
@@ -383,10 +384,10 @@ static inline int32_t factorise_matrix(const context *c)
         return hm_block_factor(lu, c->first_island, c->last_island, c->k.value)
                    ? HOLONOM_SINGULAR_TANGENT
                    : HOLONOM_OK;
+    const live_pivots live = live_pivots_of(c);
     const int fails = is_mostly_empty(c)
-                          ? hm_lu_factor_live(begin, end, lu->lu_ptr, lu->lu_column, target,
-                                              c->k.value, live_counts(c), live_columns(c))
-                          : hm_lu_factor(begin, end, lu->lu_ptr, target, c->k.value);
+                          ? hm_lu_factor_live(lu, begin, end, target, c->k.value, &live)
+                          : hm_lu_factor(lu, begin, end, target, c->k.value);
     return fails ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
 }
 
@@ -410,10 +411,10 @@ static inline void solve_factors(const context *c)
     const holonom_elimination *lu = c->lu;
     const int32_t begin = first_pivot(c), end = end_pivot(c);
     if (has_groups(c)) hm_block_solve(lu, c->first_island, c->last_island, c->k.value, c->k.rhs);
-    else if (is_mostly_empty(c))
-        hm_lu_solve_live(begin, end, lu->lu_ptr, live_counts(c), live_columns(c), c->k.value,
-                         c->k.rhs);
-    else hm_lu_solve(begin, end, lu->lu_ptr, lu->lu_column, c->k.value, c->k.rhs);
+    else if (is_mostly_empty(c)) {
+        const live_pivots live = live_pivots_of(c);
+        hm_lu_solve_live(lu, begin, end, &live, c->k.value, c->k.rhs);
+    } else hm_lu_solve(lu, begin, end, c->k.value, c->k.rhs);
 }
 
 #endif

@@ -208,11 +208,13 @@ HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D,
     }
 }
 
-/* V = S_m' (U + A T) in the place of rows 6 .. of U, and W = (L + T_m' A) S K in that of L. */
+/* V = S_m' (U + A T) in the place of rows 6 .. of U, and W = (L + T_m' A) S K in that of L; both
+   lie behind D. */
 HM_OFTEN int free_factors(const int a, int32_t m, int32_t has_parent, const joint_motion *x,
-                          const double *axis, const double *D, double *U, double *L, double *K)
+                          const double *axis, double *D, double *K)
 {
     const int f = 3 - a, p = 9 + a;
+    double *const U = D + p * p, *const L = U + p * m;
     double S[3][BODY_UNKNOWNS], Sm[3][BODY_UNKNOWNS];
     lanes Y[3][3], Z[3][3];
     free_motions(a, x->arm[OF_END], axis, S);
@@ -267,9 +269,11 @@ HM_OFTEN void add_two(lanes sum, const int32_t *place, double *x)
 }
 
 /* Adds P - W V to the matrix of the other body; `target` has m x m places of the later ones. */
-HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY_UNKNOWNS][3],
-                           const double *U, const double *L, const int32_t *target, double *value)
+HM_OFTEN void add_to_other(const int f, int32_t m, lanes P[BODY_UNKNOWNS][3], const double *U,
+                           const int32_t *target, double *value)
 {
+    const int p = 12 - f;
+    const double *L = U + p * m;
     for (int i = 0; i < BODY_UNKNOWNS; i++, target += m)
         for (int k = 0; k < 3; k++) {
             lanes sum = P[i][k];
@@ -283,10 +287,10 @@ HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY_UNK
 /* Adds T_m' U - W V, L T - W V or -W V for pairs of later places that are not both of the other
    body, of which the `first` are. */
 HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint_motion *x,
-                                    const double *U, const double *L, const int32_t *target,
-                                    double *value)
+                                    const double *U, const int32_t *target, double *value)
 {
     const int p = 12 - f;
+    const double *L = U + p * m;
     for (int32_t i = 0; i < m; i++)
         for (int32_t k = i < first ? first : 0; k < m; k += 2) {
             const double *u = U + p * k, *l = L + p * (i - i % 2) + i % 2;
@@ -317,9 +321,9 @@ HM_OFTEN int factor_joint(const int a, int32_t m, int32_t has_parent, double *D,
     const joint_motion x = read_joint(p, has_parent, D, U, L);
     if (read_axes(a, D, OF_END, axis) || read_axes(a, D, OF_MIDDLE, axis + 9)) return 1;
     if (has_parent) carry_inertia(p, &x, D, U, L, P);
-    if (free_factors(a, m, has_parent, &x, axis, D, U, L, K)) return 1;
-    if (has_parent) add_to_other(3 - a, p, m, P, U, L, target, value);
-    if (m > first) add_to_others(3 - a, m, first, &x, U, L, target, value);
+    if (free_factors(a, m, has_parent, &x, axis, D, K)) return 1;
+    if (has_parent) add_to_other(3 - a, m, P, U, target, value);
+    if (m > first) add_to_others(3 - a, m, first, &x, U, target, value);
     keep_joint(a, &x, axis, K, D + BODY_UNKNOWNS * p);
     D[p * p - 1] = 0.0;
     return 0;

@@ -42,12 +42,17 @@ static inline double less_products(double start, uint32_t m, const int32_t *plac
 static inline uint32_t neighbours(const int32_t *ptr, int32_t k)
 { return ((uint32_t)(ptr[k + 1] - ptr[k]) - 1) >> 1; }
 
+/* Columns of pivot k: those before have one diagonal and two entries a column each. */
+static inline const int32_t *columns_of(const int32_t *column, const int32_t *ptr, int32_t k)
+{ return column + (ptr[k] - k) / 2; }
+
 /* Pivots begin .. end - 1, an island or all. value (modified): matrix in, factors out, pivots
    inverted; `target` begins at the first pivot. Returns 0, or 1 at a pivot that is zero or not
    finite. */
-int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
-                     double *value)
+int32_t hm_lu_factor(const holonom_elimination *lu, int32_t begin, int32_t end,
+                     const int32_t *target, double *value)
 {
+    const int32_t *ptr = lu->lu_ptr;
     for (int32_t k = begin; k < end; k++) {
         double *diagonal = value + ptr[k];
         const uint32_t m = neighbours(ptr, k);
@@ -63,12 +68,13 @@ int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32
 }
 
 /* Likewise of a matrix most of whose stored entries are 0, since few contacts are closed. Those of
-   pivot k that are not go to the front, count[k] of them in U and L each, and their columns to the
-   front of its part of `live`, which begins where that of `column` does. */
-int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
-                          const int32_t *target, double *value, int32_t *count, int32_t *live)
+   pivot k that are not go to the front. `x` overwritten. */
+int32_t hm_lu_factor_live(const holonom_elimination *lu, int32_t begin, int32_t end,
+                          const int32_t *target, double *value, const live_pivots *x)
 {
-    column += (ptr[begin] - begin) / 2, live += (ptr[begin] - begin) / 2;
+    const int32_t *ptr = lu->lu_ptr, *column = columns_of(lu->lu_column, ptr, begin);
+    int32_t *live = x->column + (ptr[begin] - begin) / 2, *joined = x->joined + begin;
+    const int32_t *const last = x->joined + end;
     for (int32_t k = begin; k < end; k++) {
         double *diagonal = value + ptr[k];
         const uint32_t m = neighbours(ptr, k);
@@ -85,40 +91,49 @@ int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const 
             for (int32_t j = 0; j < n; j++)
                 value[target[(int32_t)m * live[i] + live[j]]] -= lower[i] * upper[j];
         for (int32_t i = 0; i < n; i++) live[i] = column[live[i]];
-        count[k] = n;
+        x->count[k] = n;
+        if (n) *joined++ = k;
         column += m, live += m, target += m * m;
     }
+    if (joined < last) *joined = -1;
     return 0;
 }
 
 /* Solves L U x = rhs in place, of pivots begin .. end - 1; x (all) holds the right-hand side, then
-   the solution, in elimination order. `count` is NULL where all entries are stored. */
-HM_OFTEN void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count,
-                    const int32_t *column, const double *value, double *x)
+   the solution, in elimination order. */
+void hm_lu_solve(const holonom_elimination *lu, int32_t begin, int32_t end, const double *value,
+                 double *x)
 {
-    column += (ptr[begin] - begin)
-              / 2; /* the pivots before have one diagonal and two entries a column each */
+    const int32_t *ptr = lu->lu_ptr, *column = columns_of(lu->lu_column, ptr, begin);
     for (int32_t k = begin; k < end; k++) {
         const uint32_t m = neighbours(ptr, k);
-        subtract_products(count ? (uint32_t)count[k] : m, column, x[k], value + ptr[k] + 1 + m, x);
+        subtract_products(m, column, x[k], value + ptr[k] + 1 + m, x);
         column += m;
     }
     for (int32_t k = end - 1; k >= begin; k--) {
         const uint32_t m = neighbours(ptr, k);
         column -= m;
-        x[k] = less_products(x[k], count ? (uint32_t)count[k] : m, column, value + ptr[k] + 1, x)
-               * value[ptr[k]];
+        x[k] = less_products(x[k], m, column, value + ptr[k] + 1, x) * value[ptr[k]];
     }
 }
 
-void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
-                 const double *value, double *x)
+/* Likewise with live factors. Pivots of open contacts are joined to none, and 0 stays 0. */
+void hm_lu_solve_live(const holonom_elimination *lu, int32_t begin, int32_t end,
+                      const live_pivots *live, const double *value, double *x)
 {
-    solve(begin, end, ptr, NULL, column, value, x);
-}
-
-void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count,
-                      const int32_t *live, const double *value, double *x)
-{
-    solve(begin, end, ptr, count, live, value, x);
+    const int32_t *ptr = lu->lu_ptr, *joined = live->joined + begin;
+    int32_t n = 0;
+    for (; n < end - begin && joined[n] >= 0; n++) {
+        const int32_t k = joined[n];
+        subtract_products((uint32_t)live->count[k], columns_of(live->column, ptr, k), x[k],
+                          value + ptr[k] + 1 + neighbours(ptr, k), x);
+    }
+    for (int32_t k = begin; k < end; k++)
+        if (live->count[k] == 0 && x[k] != 0.0) x[k] *= value[ptr[k]];
+    while (n-- > 0) {
+        const int32_t k = joined[n];
+        x[k] = less_products(x[k], (uint32_t)live->count[k], columns_of(live->column, ptr, k),
+                             value + ptr[k] + 1, x)
+               * value[ptr[k]];
+    }
 }

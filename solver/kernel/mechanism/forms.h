@@ -19,9 +19,9 @@ static inline void add_turned(double factor, const double *y, double *x)
 #endif
 }
 
-/* u += sum alpha x, w += sum beta x over entries begin .. end of form f; x holds the node `first`
-   and on. */
-HM_OFTEN void add_links(const context *c, int32_t f, int32_t begin, int32_t end, const double *x,
+/* u += sum alpha x, w += sum beta x over these entries of form f; x holds the node `first` and
+   on. */
+HM_OFTEN void add_links(const context *c, int32_t f, const span entries, const double *x,
                         int32_t first, double *u, double *w)
 {
     const holonom_model *m = c->m;
@@ -29,13 +29,13 @@ HM_OFTEN void add_links(const context *c, int32_t f, int32_t begin, int32_t end,
     if (m->form_kind[f] & FORM_TURNED) {
         const double *alpha_turn = c->number + m->alpha_turn_at,
                      *beta_turn = c->number + m->beta_turn_at;
-        for (int32_t e = begin; e < end; e++) {
+        for (int32_t e = entries.begin; e < entries.end; e++) {
             const double *xe = x + DIM * (m->form_node[e] - first);
             add_turned(alpha_turn[e], xe, u);
             add_turned(beta_turn[e], xe, w);
         }
     }
-    for (int32_t e = begin; e < end; e++) {
+    for (int32_t e = entries.begin; e < entries.end; e++) {
         const double *xe = x + DIM * (m->form_node[e] - first);
         EACH(k) u[k] += alpha[e] * xe[k];
         EACH(k) w[k] += beta[e] * xe[k];
@@ -55,7 +55,7 @@ HM_OFTEN void link_of(const context *c, int32_t f, const double *x, double *u, d
             EACH(k) u[k] += alpha[e] * xe[k];
         }
     } else
-        add_links(c, f, begin, end, x, 0, u, w);
+        add_links(c, f, (span){begin, end}, x, 0, u, w);
     if (m->form_kind[f] & FORM_SQUARE) EACH(k) w[k] = u[k];
 }
 
@@ -68,7 +68,7 @@ static void link_at(const context *c, int32_t f, const double *x, const double *
     const holonom_model *m = c->m;
     double u_low[DIM], w_low[DIM];
     link_of(c, f, x, u, w);
-    add_links(c, f, m->form_ptr[f] + m->form_moving[f], m->form_ptr[f + 1],
+    add_links(c, f, (span){m->form_ptr[f] + m->form_moving[f], m->form_ptr[f + 1]},
               c->number + m->support_at, c->n_moving, u, w);
     if (m->form_kind[f] & FORM_SQUARE) EACH(k) w[k] = u[k];
     link_of(c, f, x_low, u_low, w_low);

@@ -6,13 +6,21 @@
 #include "body_turns.h"
 #include "forms.h"
 
+static inline double square_of_cross(const double *cross)
+{
+    double sum = 0.0;
+    for (int i = 0; i < TURNING; i++) sum += cross[i] * cross[i];
+    return sum;
+}
+
 /* Moment m on a link u: couple f = g (m x u_m) with g = beta/|u_0 x u_1|, beta the angle between
    u_0 and u_1. In the plane its work is exactly m beta. f (DIM) and, if wanted, its tangent in du
    (DIM x DIM), overwritten. */
-static void moment_tangent(const double *moment, const double *u0, const double *cross,
-                           double size2, double y, double factor, const double *f, double *tangent)
+static void moment_tangent(const double *moment, const double *u0, const double *cross, double y,
+                           double factor, const double *f, double *tangent)
 {
-    const double radius2 = size2 + y * y, c1 = hm_angle_over_bend(sqrt(size2), y, factor);
+    const double size2 = square_of_cross(cross), radius2 = size2 + y * y,
+                 c1 = hm_angle_over_bend(sqrt(size2), y, factor);
     double direction[DIM], axis[3] = {0.0, 0.0, 0.0};
 #if DIM == 2
     axis[2] = moment[0];
@@ -36,9 +44,9 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
     EACH(i) u1[i] = g->u0[i] + g->du[i];
     const double *u0 = is_seeking(c) ? u1 : g->u0;
     const double y = dot(u0, u1), *moment = c->number + c->m->moment_at + TURNING * j;
-    double cross[TURNING], size2 = 0.0;
+    double cross[TURNING];
     cross_product(u0, u1, cross);
-    for (int i = 0; i < TURNING; i++) size2 += cross[i] * cross[i];
+    const double size2 = square_of_cross(cross);
 #if DIM == 2
     f[0] = -moment[0] * g->um[1];
     f[1] = moment[0] * g->um[0];
@@ -49,7 +57,7 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
     const double factor = hm_angle_over(sqrt(size2), y);
     EACH(i) f[i] *= factor;
     if (tangent) {
-        moment_tangent(moment, u0, cross, size2, y, factor, f, tangent);
+        moment_tangent(moment, u0, cross, y, factor, f, tangent);
         if (is_seeking(c)) EACH(i) EACH(k) tangent[DIM * i + k] *= 2.0;
     }
     return HOLONOM_OK;

@@ -153,6 +153,18 @@ static context rows_at_state(const context *c)
     return rows;
 }
 
+/* Their number, and they: multipliers of rows that are on. */
+static inline int32_t *rows_on(const context *c) { return (int32_t *)(void *)c->k.rows_on; }
+
+/* Lists the multipliers whose rows are on, which the factors at hand join to the motion. */
+static void list_rows_on(const context *c)
+{
+    int32_t *on = rows_on(c), n = 0;
+    for (int32_t i = 0; i < c->m->n_rows; i++)
+        if (state_of_multiplier(c, i) != ROW_IS_OFF) on[++n] = i;
+    on[0] = n;
+}
+
 /* Factors of these equations, of the mass matrix times node weights if given. */
 static int32_t factorise_at_state(const context *c, const double *weight)
 {
@@ -165,6 +177,7 @@ static int32_t factorise_at_state(const context *c, const double *weight)
         EACH(k)
             c->k.value[m->full.mass_slot[DIM * e + k]] += (both - 1.0) * c->number[m->mass_at + e];
     }
+    list_rows_on(c);
     return factorise_matrix(&rows);
 }
 
@@ -175,16 +188,21 @@ static int32_t factorise_at_state(const context *c, const double *weight)
 static void solve_with_factors(const context *c)
 {
     const holonom_model *m = c->m;
+    const int32_t *on = rows_on(c), n = *on++;
     double largest = 0.0, change = INFINITY;
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[m->full.row_position[i]] = 0.0;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         gather_momentum(c);
-        for (int32_t i = 0; i < m->n_rows; i++)
+        for (int32_t j = 0; j < n; j++) {
+            const int32_t i = on[j];
             c->k.rhs[m->full.row_position[i]] = state_of_multiplier(c, i) == ROW_IS_SLIDING
                                                     ? -c->k.epsilon[i] * c->k.phi[i]
                                                     : -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
+        }
         solve_factors(c);
         largest = change = 0.0;
-        for (int32_t i = 0; i < m->n_rows; i++) {
+        for (int32_t j = 0; j < n; j++) {
+            const int32_t i = on[j];
             const double mu = c->k.rhs[m->full.row_position[i]];
             change = fmax(change,
                           c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */

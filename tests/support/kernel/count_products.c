@@ -20,10 +20,10 @@ int holonom_energy_decides = 1; /* whether a step must close its ledger to count
 
 #ifndef UNWRAPPED
 
-void __real_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
+void __real_hm_lu_solve(const holonom_elimination *lu, int32_t begin, int32_t end,
                         const double *value, double *x);
-int32_t __real_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
-                            double *value);
+int32_t __real_hm_lu_factor(const holonom_elimination *lu, int32_t begin, int32_t end,
+                            const int32_t *target, double *value);
 int32_t __real_hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last,
                                double *value);
 void __real_hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last,
@@ -33,23 +33,23 @@ __attribute__((visibility(
 
 /* Pivot k has (ptr[k + 1] - ptr[k] - 1)/2 neighbours m: m (m + 1) products to eliminate it, 2 m + 1
    to solve. */
-int32_t __wrap_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target,
-                            double *value)
+int32_t __wrap_hm_lu_factor(const holonom_elimination *lu, int32_t begin, int32_t end,
+                            const int32_t *target, double *value)
 {
     counted[0] += 1;
     for (int32_t k = begin; k < end; k++) {
-        const int64_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
+        const int64_t m = (lu->lu_ptr[k + 1] - lu->lu_ptr[k] - 1) / 2;
         counted[1] += m * (m + 1);
     }
-    return __real_hm_lu_factor(begin, end, ptr, target, value);
+    return __real_hm_lu_factor(lu, begin, end, target, value);
 }
 
-void __wrap_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column,
+void __wrap_hm_lu_solve(const holonom_elimination *lu, int32_t begin, int32_t end,
                         const double *value, double *x)
 {
     counted[2] += 1;
-    counted[3] += ptr[end] - ptr[begin];
-    __real_hm_lu_solve(begin, end, ptr, column, value, x);
+    counted[3] += lu->lu_ptr[end] - lu->lu_ptr[begin];
+    __real_hm_lu_solve(lu, begin, end, value, x);
 }
 
 /* A group of p pivots and m neighbours has k + m of these at its k-th pivot from the end. */
