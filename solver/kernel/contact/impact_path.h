@@ -96,7 +96,7 @@ typedef struct impact_path {
                                            are rates with which it rises */
     double tau, way_sign;
     double pace;   /* rate of the clock in a step */
-    double patience; /* factor on the slip that turns and counts as stopped: 1, more once a piece has
+    double patience; /* factor on slip that turns and counts as stopped: 1, more once a piece has
                         taken all its steps */
     double energy; /* of the rates before, at each row alone; the largest */
     int by_law;    /* whether the piece asks for the law at every stage: a slip begins slowly beside
