@@ -354,3 +354,55 @@ def test_the_last_ball_of_a_cradle_swings_as_far_as_the_first_one_did():
         errors.append(max(abs(run["last"][-1] - 0.6), abs(run["first"][-1])))
         assert abs(run["energy.impact"][-1]) < 1e-4 * 0.25 * 9.81 * 0.5 * (1 - math.cos(0.6))
     assert errors[1] < errors[0] < 4e-3
+
+
+@pytest.mark.parametrize("links", [3, 5])
+@pytest.mark.parametrize("h", [1e-4, 5e-4])
+def test_friction_of_a_chain_that_glides_without_load_gives_no_energy(links, h):
+    # No weight presses it: the normal forces behind the impact are round-off, of both signs.
+    names = [f"P{k}" for k in range(links + 1)]
+    point = {"mass": 0.0, "velocity": [-0.22, -0.045]}
+    law = {"type": "plane", "axis": [0.0, 1.0], "friction": 0.5}
+    content: Content = {
+        "name": "gliding_chain",
+        "dimension": 2,
+        "points": {P: {"position": [0.4 * k, 0.0]} | point for k, P in enumerate(names)},
+        "bodies": {
+            f"b{k}": {"type": "bar", "points": names[k : k + 2], "mass": 1.0} for k in range(links)
+        },
+        "contacts": {f"at_{P}": law | {"point": P} for P in names},
+    }
+    content["contacts"]["at_P0"]["restitution"] = 0.5
+    content["contacts"][f"at_{names[-1]}"]["friction"] = 0.0
+    integrator = begin(content, h, **STEPPED)
+    losses = np.zeros(2)
+    for _ in range(20):
+        integrator.advance(integrator.time, h)
+        found = [number(integrator, f"energy.{word}") for word in ("impact", "friction")]
+        assert np.min(found - losses) >= -1e-14
+        losses = np.array(found)
+
+
+def test_ends_of_a_rod_that_stop_in_the_half_step_of_a_landing_are_found_in_few_choices():
+    # A stiff rod whose upper end lands cannot have both ends at rest on the mean of that half step:
+    # they stop at its start. A choice takes 2 to 8 increments, and 60 in turn end the search.
+    scene = solver.load(SCENES / "falling_rod.toml", {"solver.contact_mode": "stepped"})
+    integrator = Integrator(solver.assemble(scene), log=lambda _: None)
+    integrator.initialise()
+    for k in range(50):
+        integrator.advance(0.01 * k, 0.01)
+        assert integrator.state.head["newton_iterations"] <= 100
+    assert integrator["lower_end.mode"] == integrator["upper_end.mode"] == 2.0
+
+
+def test_two_hits_of_a_die_are_told_apart_by_steps_shorter_than_the_time_between_them():
+    # Two corners land 0.4 ms one after the other, which a step of 2 ms takes for one impact.
+    lost = []
+    for settings in ({"order": 4}, STEPPED | {"step_size": 1e-4}, STEPPED | {"step_size": 2e-3}):
+        over = {f"solver.{name}": value for name, value in settings.items()}
+        scene = solver.load(SCENES / "die_in_a_bowl.toml", over)
+        table = solver.simulate(scene, stop_time=0.2, outputs=["energy.impact"])
+        lost.append(table["energy.impact"][-1])
+    located, fine, coarse = lost
+    assert fine == pytest.approx(located, rel=1e-3)
+    assert abs(coarse - located) > 0.05 * located

@@ -141,7 +141,7 @@ static inline int may_choose_anew(int32_t status)
 /* Solves the half step with the choice at hand until no contact or friction objects. Where many do,
    they are guessed anew. Else all change at once as long as they become fewer now and then, or the
    last one alone, by which no choice comes back (Murty 1974; Judice and Pires 1994), until they are
-   fewer again. */
+   fewer again. Stops that contradict each other even after one share leave it undecided. */
 static int32_t solve_choices(context *c, int parity, int at_once)
 {
     int fewest = INT_MAX, patience = PATIENCE, together = 0, guesses = 0;
@@ -151,7 +151,8 @@ static int32_t solve_choices(context *c, int parity, int at_once)
         c->kept_factors.h = 0.0;
         int32_t status = solve_step(c, parity), solved = status;
         if (status && !may_choose_anew(status)) return status;
-        if (status && together < 2 && stop_together(c, together++)) continue;
+        if (status && together) return HOLONOM_CONTACT_UNDECIDED;
+        if (status && (together = stop_together(c))) continue;
         status = look_for_objections(c, solved, &x);
         if (status || !x.count) return status;
         if (x.count < fewest) fewest = x.count, patience = PATIENCE;
@@ -169,7 +170,7 @@ static int32_t solve_choices(context *c, int parity, int at_once)
         }
         x.changing = patience > 0 ? ALL_CHANGE : x.last;
         look_for_objections(c, solved, &x);
-        if (together) stop_together(c, together > 1);
+        if (together) stop_together(c);
     }
     return HOLONOM_CONTACT_UNDECIDED;
 }

@@ -61,10 +61,13 @@ static int32_t close_crossed(context *c, int all, objections *x)
     return status;
 }
 
-/* What rounding errors of the coordinates make of the normal force of contact i. */
+/* What rounding errors of the coordinates make of the normal force of contact i. None is allowed of
+   one that slides: pulled, its friction would drive it and make energy. */
 static double noise_of_normal(const context *c, int32_t i)
 {
     const double *number = c->number, place = ROUND_OFF * number[c->m->extent_at];
+    const int32_t f = c->m->contact_friction[i];
+    if (f >= 0 && friction_mode(c, f) == FRICTION_SLIDES) return 0.0;
     return 2.0 * place
            / (c->h * c->h * number[c->m->row_sigma_at + row_of(c, c->m->contact_row[i])]);
 }

@@ -62,15 +62,15 @@ static void let_stop(const context *c, int32_t f, double share)
     }
 }
 
-/* Where slips of one body stop, their ways must not contradict each other: all stop after the same
-   share, the least one or, if that does not help, at once. Returns whether there is any. */
-static int stop_together(const context *c, int at_once)
+/* Where slips of one body stop, their ways must not contradict each other: all stop after the least
+   share. Returns whether there is any. */
+static int stop_together(const context *c)
 {
     double least = INFINITY;
     EACH_FRICTION(c, f)
         if (c->k.share[f] > 0.0) least = fmin(least, c->k.share[f]);
     EACH_FRICTION(c, f)
-        if (c->k.share[f] > 0.0) let_stop(c, f, at_once ? 0.0 : least);
+        if (c->k.share[f] > 0.0) let_stop(c, f, least);
     return least < INFINITY;
 }
 

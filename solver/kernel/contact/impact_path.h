@@ -96,6 +96,8 @@ typedef struct impact_path {
                                            are rates with which it rises */
     double tau, way_sign;
     double pace;   /* rate of the clock in a step */
+    double patience; /* factor on slip that turns and counts as stopped: 1, more once a piece has
+                        taken all its steps */
     double energy; /* of the rates before, at each row alone; the largest */
     int by_law;    /* whether the piece asks for the law at every stage: a slip begins slowly beside
                       slip that turns */
@@ -182,7 +184,9 @@ static inline double none_of_slip(const impact_path *s, int32_t i)
     double largest = 0.0;
     for (int32_t t = s->x->first[i] + 1; t <= s->x->first[i] + s->x->tangents[i]; t++)
         largest = fmax(largest, s->size[t]);
-    return largest * (s->x->tangents[i] > 1 ? 2.0 * SWEEP_STOPS : SWEEP_ROUND_OFF);
+    return largest
+           * (s->x->tangents[i] > 1 ? fmin(2.0 * SWEEP_STOPS * s->patience, SLOW_SLIP)
+                                    : SWEEP_ROUND_OFF);
 }
 
 static inline double slip_now(const impact_path *s, int32_t i)

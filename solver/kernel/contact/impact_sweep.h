@@ -108,6 +108,7 @@ HM_SELDOM static int begin_sweep(impact_path *s)
                               fastest * sqrt(fmax(x->W[(int64_t)k * (x->rows + 1)], 0.0)));
     }
     s->tau = -1.0;
+    s->patience = 1.0;
     s->energy = 0.0;
     for (int32_t k = 0; k < x->rows; k++)
         if (x->W[(int64_t)k * (x->rows + 1)] > 0.0)

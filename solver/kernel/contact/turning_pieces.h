@@ -280,7 +280,11 @@ static inline int slip_stops(const impact_path *s)
     return 0;
 }
 
-enum { MOST_TURNING_STEPS = 5000, MOST_SEARCHES = 60, MOST_REFUSED = 20 };
+/* Rows bind slips to each other: what is left of one when another has stopped, less than round-off
+   of velocities, may stay as long as the impact lasts, while its direction turns ever faster. Where
+   a piece takes all its steps, more slip counts as stopped, by this factor. */
+#define LESS_PATIENT 100.0
+enum { MOST_TURNING_STEPS = 1000, MOST_SEARCHES = 60, MOST_REFUSED = 20 };
 
 /* Shortens a step of length h to where the first margin vanishes (regula falsi); `lost` is one of
    those that are below 0 behind it. Returns the error of the step over what is allowed. */
@@ -324,9 +328,9 @@ HM_SELDOM static int go_round(impact_path *s)
     hm_impact *x = s->x;
     const int32_t n = x->rows + x->contacts + 2;
     double *end = s->stage + 12 * (int64_t)n, *gamma = end + n, h = 0.1, done = 0.0;
-    int refused = 0;
+    int refused = 0, step = 0;
     fix_statuses(s);
-    for (int step = 0; step < MOST_TURNING_STEPS; step++) {
+    for (; step < MOST_TURNING_STEPS; step++) {
         s->by_path = 0;
         rates_in_piece(s, s->gamma, s->q);
         const double size = size_of_rates(s, s->q);
@@ -367,6 +371,7 @@ HM_SELDOM static int go_round(impact_path *s)
         h *= fmin(6.0, 0.9 * hm_pow(fmax(error, 1e-10), -0.125));
     }
     s->by_law = 0;
+    if (step == MOST_TURNING_STEPS) s->patience *= LESS_PATIENT;
     return !(done > 0.0);
 }
 
