@@ -89,11 +89,11 @@ int32_t hm_lu_factor(const holonom_elimination *lu, int32_t begin, int32_t end,
                      const int32_t *target, double *value);
 void hm_lu_solve(const holonom_elimination *lu, int32_t begin, int32_t end, const double *value,
                  double *x);
-/* Of factors most of whose stored entries are 0: how many of each pivot are not, in U and L each,
-   their columns, where those of all stored ones begin, and the pivots that have any, in order, from
-   the first of an island on; -1 behind these. */
+/* Of factors most of whose stored entries are 0: how many of each pivot are not, in U and L each;
+   their columns, where those of all stored ones begin; of each pivot the first that has any, from
+   it on and back from it, within what was factorised at once. */
 typedef struct live_pivots {
-    int32_t *count, *joined, *column;
+    int32_t *count, *column, *next, *before;
 } live_pivots;
 
 int32_t hm_lu_factor_live(const holonom_elimination *lu, int32_t begin, int32_t end,

@@ -60,6 +60,7 @@ WORK = {
     "near_slice": "unilateral * (4 * n_islands + 4)",
     "near_pieces": "unilateral * (4 * (n_function_rows + n_velocity_rows) + 5 * n_islands + 5)",
     "live": "n_lu_values * unilateral",  # integers, see factorise_matrix
+    "joined": "(dim * n_free + n_rows) * unilateral",  # two integers each, likewise
     "local": "n_local_forms * n_form_numbers",  # links and values of the forms of a composite
     "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end
     "slope_sum": "n_local_forms",  # of the slips of a friction, times their forces

@@ -368,7 +368,8 @@ static inline live_pivots live_pivots_of(const context *c)
 {
     int32_t *count = (int32_t *)(void *)c->k.live;
     const int32_t n = c->lu->lu_island[4 * c->m->n_islands];
-    return (live_pivots){count, count + n, count + 2 * n};
+    int32_t *joined = (int32_t *)(void *)c->k.joined;
+    return (live_pivots){count, count + n, joined, joined + n};
 }
 
 /* Whether pivots are eliminated in groups. */

@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 /* x[place[i]] -= factor y[i], i = 0 .. m - 1. Most pivots of a chain have one or two neighbours:
    there a loop costs more than what is in it. */
@@ -67,14 +68,23 @@ int32_t hm_lu_factor(const holonom_elimination *lu, int32_t begin, int32_t end,
     return 0;
 }
 
+/* Of pivots begin .. end - 1: which are joined to others, from each one on and back from it. */
+static void list_joined(int32_t begin, int32_t end, const live_pivots *x)
+{
+    for (int32_t k = begin, last = begin - 1; k < end; k++)
+        x->before[k] = last = x->count[k] ? k : last;
+    for (int32_t k = end, next = end; k-- > begin;) x->next[k] = next = x->count[k] ? k : next;
+}
+
 /* Likewise of a matrix most of whose stored entries are 0, since few contacts are closed. Those of
    pivot k that are not go to the front. `x` overwritten. */
 int32_t hm_lu_factor_live(const holonom_elimination *lu, int32_t begin, int32_t end,
                           const int32_t *target, double *value, const live_pivots *x)
 {
     const int32_t *ptr = lu->lu_ptr, *column = columns_of(lu->lu_column, ptr, begin);
-    int32_t *live = x->column + (ptr[begin] - begin) / 2, *joined = x->joined + begin;
-    const int32_t *const last = x->joined + end;
+    int32_t *live = x->column + (ptr[begin] - begin) / 2;
+    memset(x->count + begin, 0, sizeof(int32_t) * (size_t)(end - begin));
+    list_joined(begin, end, x); /* no list of before stays where a pivot fails */
     for (int32_t k = begin; k < end; k++) {
         double *diagonal = value + ptr[k];
         const uint32_t m = neighbours(ptr, k);
@@ -92,10 +102,9 @@ int32_t hm_lu_factor_live(const holonom_elimination *lu, int32_t begin, int32_t 
                 value[target[(int32_t)m * live[i] + live[j]]] -= lower[i] * upper[j];
         for (int32_t i = 0; i < n; i++) live[i] = column[live[i]];
         x->count[k] = n;
-        if (n) *joined++ = k;
         column += m, live += m, target += m * m;
     }
-    if (joined < last) *joined = -1;
+    list_joined(begin, end, x);
     return 0;
 }
 
@@ -117,23 +126,31 @@ void hm_lu_solve(const holonom_elimination *lu, int32_t begin, int32_t end, cons
     }
 }
 
-/* Likewise with live factors. Pivots of open contacts are joined to none, and 0 stays 0. */
+/* Likewise with live factors, of one island or several. Pivots of open contacts are joined to none,
+   and 0 stays 0. */
 void hm_lu_solve_live(const holonom_elimination *lu, int32_t begin, int32_t end,
                       const live_pivots *live, const double *value, double *x)
 {
-    const int32_t *ptr = lu->lu_ptr, *joined = live->joined + begin;
-    int32_t n = 0;
-    for (; n < end - begin && joined[n] >= 0; n++) {
-        const int32_t k = joined[n];
+    const int32_t *ptr = lu->lu_ptr;
+    for (int32_t k = begin; k < end;) {
+        if (live->next[k] != k) {
+            k = live->next[k];
+            continue;
+        }
         subtract_products((uint32_t)live->count[k], columns_of(live->column, ptr, k), x[k],
                           value + ptr[k] + 1 + neighbours(ptr, k), x);
+        k++;
     }
     for (int32_t k = begin; k < end; k++)
-        if (live->count[k] == 0 && x[k] != 0.0) x[k] *= value[ptr[k]];
-    while (n-- > 0) {
-        const int32_t k = joined[n];
+        if (x[k] != 0.0 && live->next[k] != k) x[k] *= value[ptr[k]];
+    for (int32_t k = end - 1; k >= begin;) {
+        if (live->before[k] != k) {
+            k = live->before[k];
+            continue;
+        }
         x[k] = less_products(x[k], (uint32_t)live->count[k], columns_of(live->column, ptr, k),
                              value + ptr[k] + 1, x)
                * value[ptr[k]];
+        k--;
     }
 }

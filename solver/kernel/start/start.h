@@ -110,8 +110,8 @@ static int32_t derive_scales(context *c)
         for (int32_t k = 0; k < m->row_power[i]; k++) scale[i] *= extent;
     }
     const int32_t with_force = m->n_form_rows - m->n_rigidity_rows;
-    for (int32_t k = 0; k < with_force + m->n_coincidences; k++) {
-        const int32_t j = k - with_force, i = j < 0 ? k : m->n_form_rows + j;
+    for (int32_t row = 0; row < with_force + m->n_coincidences; row++) {
+        const int32_t j = row - with_force, i = j < 0 ? row : m->n_form_rows + j;
         const int32_t f = j < 0 ? m->row_form[i] : m->coincidence_form[j];
         for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
             const double inverse = 1.0 / node_mass[m->form_node[e]];
