@@ -147,6 +147,34 @@ def test_a_pile_of_many_discs_rests_and_loses_what_it_falls():
     assert number(integrator, "energy.impact") == pytest.approx(before - height(), rel=1e-9)
 
 
+@pytest.mark.parametrize("drop", [0.0, 0.01], ids=["at rest", "falls"])
+def test_two_piles_apart_move_as_one_alone_does(drop: float):
+    """Each is an island of 33 gaps: factors of both at once serve the solves of each alone."""
+    one = pile_of_discs(6)
+    for i in range(6):
+        one["points"][f"p{i}"]["position"] = [0.05 + 0.104 * (i % 3), 0.05 + 0.1 * (i // 3) + drop]
+    both = {**one, "points": dict(one["points"]), "contacts": dict(one["contacts"])}
+    for table in ("points", "contacts"):
+        for name, part in list(both[table].items()):
+            copy = both[table][f"{name}_b"] = dict(part)
+            if table == "points":
+                copy["position"] = [part["position"][0] + 8.0, part["position"][1]]
+            elif "point" in part:
+                copy["point"] = part["point"] + "_b"
+                copy["position"] = [part["position"][0] + 8.0, part["position"][1]]
+            else:
+                copy["points"] = [point + "_b" for point in part["points"]]
+    alone, pair = (begin(content, 0.004, **STEPPED) for content in (one, both))
+    for t in even(0.4, 0.04):
+        for integrator in (alone, pair):
+            integrator.advance(integrator.time, t - integrator.time)
+    for i in range(6):
+        for axis, shift in (("x", 8.0), ("y", 0.0)):
+            expected = number(alone, f"p{i}.{axis}")
+            assert number(pair, f"p{i}.{axis}") == pytest.approx(expected, abs=1e-11)
+            assert number(pair, f"p{i}_b.{axis}") == pytest.approx(expected + shift, abs=1e-11)
+
+
 @pytest.mark.parametrize("h", [0.005, 0.0025])
 def test_a_chain_that_falls_on_a_floor_comes_to_rest(h):
     integrator = begin(chain_over_a_floor(), h, **STEPPED)
