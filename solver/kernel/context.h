@@ -53,13 +53,17 @@ typedef struct event_at_hand {
     int divided, outside, together, gives_way;
 } event_at_hand;
 
-/* Factors of the internal step at hand: of which length of a half step (0: none are), and
+/* Factors: of the tangent at hand, all of it or lean ones; whether rows determine all multipliers
+   well by them, and whether rows may depend on each other by the forces evaluated last. Kept ones
+   are those of the internal step at hand: of which length of a half step (0: none are), and
    increments of the last one that made its own. */
-typedef struct kept_factors {
-    double h;
+typedef struct factors_at_hand {
     const holonom_elimination *lu;
-    int increments;
-} kept_factors;
+    int firm, may_share;
+    double kept_h;
+    const holonom_elimination *kept_lu;
+    int kept_increments;
+} factors_at_hand;
 
 typedef struct span {
     int32_t begin, end;
@@ -69,70 +73,85 @@ typedef struct span {
    quantities of these. */
 enum near_list { NEAR_CONTACTS, NEAR_FRICTIONS, NEAR_ROWS, NEAR_LINKED, NEAR_ACTIVE, NEAR_LISTS };
 
+/* The islands at hand, one or all: the first and the one behind the last, where they begin and end
+   by columns, the scalars of the first, their moving nodes (driven ones belong to the last island),
+   and pieces that need not lie side by side: rows (form rows, coincidences, functions, velocity
+   rows) and composites. */
+typedef struct island_view {
+    int32_t first, last;
+    const int32_t *begin, *end;
+    double *scalars;
+    span node, all_row[4], all_composite[4];
+    const span *row, *composite;
+    int rows, composites, all_rows, all_composites;
+    int left_out;        /* whether rows that are off are not among these pieces, see row_state.h */
+    int asleep; /* whether all contacts and frictions of these islands are off, in a step */
+    int may_fall_asleep; /* whether a contact that is awake is far enough, see far_contacts.h */
+    const int32_t *near[NEAR_LISTS]; /* of each index the first one from it on that is near; NULL:
+                                        all are */
+} island_view;
+
+/* What is solved for: a half step, or accelerations and multipliers at a state. */
+typedef struct step_at_hand {
+    int half, halves; /* which half step of an internal one this is, from 0, and of how many */
+    /* Of the last half steps in the prediction of this one, see predict.h. */
+    double weight[4], parabola[4];
+    /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial
+       configuration is sought, by a step from rest whose forces and constraints act at its end. */
+    double theta;
+    int at_state;         /* 1: there is no step, and slips are those of the velocities */
+    int constraints_only; /* 1: only the rows act */
+    int changes_contacts; /* whether contacts change at the ends of half steps, see stepped.h */
+    int damped;           /* whether something takes energy out of it, under a tolerance */
+    int careful; /* 1: smooth frictions have steeper slopes in the tangent: a step has failed */
+    double unsettled;      /* size of the last increment over its length [kg^1/2 m/s]; infinite
+                              before the first one */
+    int rows_known;        /* whether phi has the rows at the state, from the half step before in
+                              this internal one */
+    int32_t n_kept_forces; /* times within it of which multipliers are kept, see keep_forces */
+    int32_t at_fault;      /* multiplier of the contact that keeps it from being solved or changed
+                              last, and 1; or 0; see fault.h */
+} step_at_hand;
+
+/* How friction acts in the step at hand: whether one slides, so that multipliers follow cones;
+   whether the tangent leaves out how forces of sliding ones turn with the place; whether frictions
+   of contacts act at the end of a half step alone, see stepped.h; multipliers at which the cones
+   of sliding ones are linearised. */
+typedef struct friction_at_hand {
+    int slides, soft, is_deferred;
+    const double *cone_mu;
+} friction_at_hand;
+
+/* What laws read: whether it is the increment that is solved for, see inputs_signals.h, or a
+   prediction of it, since it had no solution; where the communication step begins [s], for inputs
+   that move, and whether held inputs have jumped by what samples of a smooth course do, see
+   advance.h. */
+typedef struct law_inputs {
+    int reads, foretells;
+    double start;
+    int are_samples;
+} law_inputs;
+
 typedef struct context {
     const holonom_model *m;
     double *number;
     hm_state s;
     hm_work k;
     int64_t state_size;
-    double tolerance;   /* of the run, or 0 for equal steps */
-    double h, t;
-    double start;       /* of the communication step, for inputs that move */
     int32_t n_moving;
-    /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial
-       configuration is sought, by a step from rest whose forces and constraints act at its end. */
-    double theta;
-    /* Of the last half steps in the prediction of this one, see predict.h. */
-    double weight[4], parabola[4];
-    int half, halves;   /* which half step of an internal one this is, from 0, and of how many */
-    int samples; /* whether held inputs have jumped by what samples of a smooth course do, see
-                    advance.h */
-    int constraints_only;      /* 1: only the rows act */
-    int careful; /* 1: smooth frictions have steeper slopes in the tangent: a step has failed */
-    int at_state;              /* 1: there is no step, and slips are those of the velocities */
-    int sliding;        /* whether a friction slides, so that multipliers follow cones */
-    int soft; /* whether the tangent leaves out how forces of sliding frictions turn with the
-                 place */
-    int may_share;      /* whether rows may depend on each other, by the forces evaluated last */
-    int reads; /* whether laws read the increment that is solved for, see inputs_signals.h */
-    int foretells;      /* whether they read a prediction of it, since it had no solution */
-    int stepping;       /* whether contacts change at the ends of half steps, see stepped.h */
-    double unsettled;   /* size of the step's last increment over its length [kg^1/2 m/s]; infinite
-                           before the first one */
-    int defers_friction;   /* whether frictions of contacts act at the end of a half step alone, see
-                              stepped.h */
-    int32_t n_kept_forces; /* times within the step at hand of which multipliers are kept, see
-                              keep_forces */
-    int32_t at_fault; /* multiplier of the contact that keeps a step from being solved or changed
-                         last, and 1; or 0; see fault.h */
-    const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised */
-    int damped; /* whether something takes energy out of the step at hand, under a tolerance */
-    const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean */
-    int rows_known; /* whether phi has the rows at the state, from the half step before in this
-                       internal one */
-    int firm;       /* whether the rows determine all multipliers well, by the factors at hand */
-    /* The islands at hand, one or all: where they begin and end by columns, the scalars of the
-       first, their moving nodes (driven ones belong to the last island), and pieces that need not
-       lie side by side: rows (form rows, coincidences, functions, velocity rows) and composites. */
-    int32_t first_island, last_island;
-    const int32_t *begin, *end;
-    double *island;
-    span node, all_row[4], all_composite[4];
-    const span *row, *composite;
-    int rows, composites, all_rows, all_composites;
-    int asleep;         /* whether all contacts and frictions of these islands are off, in a step */
-    int left_out;       /* whether rows that are off are not among these pieces, see row_state.h */
-    /* Of each index the first one from it on that is near; NULL: all are. */
-    const int32_t *near[NEAR_LISTS];
-    int may_fall_asleep;   /* whether a contact that is awake is far enough to sleep, see
-                              far_contacts.h */
+    double tolerance; /* of the run, or 0 for equal steps */
+    double h, t;
+    holonom_watch *watch; /* who may end the start or the step, or NULL */
+    holonom_mesh *mesh;   /* where steps are recorded, or those to repeat, or NULL */
+    island_view view;
+    step_at_hand step;
+    friction_at_hand friction;
+    law_inputs laws;
+    factors_at_hand factors;
     step_result last; /* of the last internal step */
     secant_pairs secants;
     switch_times switches;
     event_at_hand event;
-    kept_factors kept_factors;
-    holonom_watch *watch; /* who may end the start or the step, or NULL */
-    holonom_mesh *mesh; /* where steps are recorded, or those to repeat, or NULL */
 } context;
 
 /* Whether who waits for the start or the step has asked for its end. */
@@ -148,25 +167,30 @@ HM_OFTEN int is_stopped(const context *c)
 }
 
 #define IN_ISLAND(c, i, column)                                                                    \
-    (int32_t i = (c)->begin[column], i##_end = (c)->end[column]; i < i##_end; i++)
+    (int32_t i = (c)->view.begin[column], i##_end = (c)->view.end[column]; i < i##_end; i++)
 #define EACH_IN(c, pieces, piece, i)                                                               \
-    for (const span *i##_in = (c)->piece, *i##_last = i##_in + (c)->pieces; i##_in < i##_last;     \
+    for (const span *i##_in = (c)->view.piece,                                                     \
+                   *i##_last = i##_in + (c)->view.pieces;                                          \
+         i##_in < i##_last;                                                                        \
          i##_in++)                                                                                 \
         for (int32_t i = i##_in->begin, i##_end = i##_in->end; i < i##_end; i++)
 #define EACH_ROW(c, i) EACH_IN(c, rows, row, i)
 #define EACH_FORM_ROW(c, i) for IN_ISLAND(c, i, ISLAND_FORM_ROW)
-#define EACH_NODE(c, a) for (int32_t a = (c)->node.begin, a##_end = (c)->node.end; a < a##_end; a++)
+#define EACH_NODE(c, a)                                                                            \
+    for (int32_t a = (c)->view.node.begin, a##_end = (c)->view.node.end; a < a##_end; a++)
 #define EACH_COORDINATE(c, k)                                                                      \
-    for (int32_t k = DIM * (c)->node.begin, k##_end = DIM * (c)->node.end; k < k##_end; k++)
+    for (int32_t k = DIM * (c)->view.node.begin, k##_end = DIM * (c)->view.node.end; k < k##_end;  \
+         k++)
 #define EACH_TURN(c, b)                                                                            \
-    for (int32_t b = (c)->begin[ISLAND_BODY]; has_turns(c) && b < (c)->end[ISLAND_BODY]; b++)
+    for (int32_t b = (c)->view.begin[ISLAND_BODY];                                                 \
+         has_turns(c) && b < (c)->view.end[ISLAND_BODY]; b++)
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
 
 /* x (DIM n_moving) becomes 0 at the nodes at hand. */
 static inline void clear_nodes(const context *c, double *x)
 {
-    memset(x + DIM * c->node.begin, 0,
-           sizeof(double) * (size_t)(DIM * (c->node.end - c->node.begin)));
+    memset(x + DIM * c->view.node.begin, 0,
+           sizeof(double) * (size_t)(DIM * (c->view.node.end - c->view.node.begin)));
 }
 
 /* Whether there are bodies, whose turns are the unknowns of their directors. */
@@ -188,7 +212,7 @@ HM_OFTEN int add_piece(span *piece, int count, int32_t begin, int32_t end)
 }
 
 static inline int32_t next_near(const context *c, enum near_list list, int32_t i)
-{ return c->near[list] ? c->near[list][i] : i; }
+{ return c->view.near[list] ? c->view.near[list][i] : i; }
 
 #define EACH_NEAR(c, list, i, first, last)                                                         \
     for (int32_t i##_end = (last), i = next_near(c, list, first); i < i##_end;                     \
@@ -196,7 +220,7 @@ static inline int32_t next_near(const context *c, enum near_list list, int32_t i
 #define EACH_CONTACT(c, i) EACH_NEAR(c, NEAR_CONTACTS, i, 0, n_contacts((c)->m))
 #define EACH_FRICTION(c, f) EACH_NEAR(c, NEAR_FRICTIONS, f, 0, n_frictions((c)->m))
 /* Function rows (k = ISLAND_FUNCTION) or velocity rows (ISLAND_VELOCITY) of the islands at hand. */
-#define EACH_ROW_OF_KIND(c, j, k) EACH_NEAR(c, NEAR_ROWS, j, (c)->begin[k], (c)->end[k])
+#define EACH_ROW_OF_KIND(c, j, k) EACH_NEAR(c, NEAR_ROWS, j, (c)->view.begin[k], (c)->view.end[k])
 
 /* Pieces of rows and composites of an island, or of all behind the last one. */
 typedef struct near_slice {
@@ -209,26 +233,27 @@ static inline near_slice *slice_of(const context *c, int32_t island)
 /* Lets rows that are off be at hand, too, but for those of contacts that are far. */
 static inline void take_all_rows(context *c)
 {
-    c->left_out = c->asleep = 0;
-    if (c->near[NEAR_CONTACTS]) {
-        const int32_t n = c->m->n_islands, is_one = c->last_island == c->first_island + 1;
-        const near_slice *own = slice_of(c, is_one ? c->first_island : n);
+    c->view.left_out = c->view.asleep = 0;
+    if (c->view.near[NEAR_CONTACTS]) {
+        const int32_t n = c->m->n_islands, is_one = c->view.last == c->view.first + 1;
+        const near_slice *own = slice_of(c, is_one ? c->view.first : n);
         const span *piece = (const span *)(void *)c->k.near_pieces;
-        c->row = piece + own->row, c->composite = piece + own->composite;
-        c->rows = own->rows, c->composites = own->composites;
+        c->view.row = piece + own->row, c->view.composite = piece + own->composite;
+        c->view.rows = own->rows, c->view.composites = own->composites;
         return;
     }
-    c->row = c->all_row, c->composite = c->all_composite;
-    c->rows = c->all_rows, c->composites = c->all_composites;
+    c->view.row = c->view.all_row, c->view.composite = c->view.all_composite;
+    c->view.rows = c->view.all_rows, c->view.composites = c->view.all_composites;
 }
 
 /* Pieces of rows of the islands at hand that hold always: forms and coincidences; returns their
    number. */
 static int bilateral_pieces(const context *c, span *row)
 {
-    const int rows = add_piece(row, 0, c->begin[ISLAND_FORM_ROW], c->end[ISLAND_FORM_ROW]);
-    return add_piece(row, rows, c->m->n_form_rows + DIM * c->begin[ISLAND_COINCIDENCE],
-                     c->m->n_form_rows + DIM * c->end[ISLAND_COINCIDENCE]);
+    const int rows =
+        add_piece(row, 0, c->view.begin[ISLAND_FORM_ROW], c->view.end[ISLAND_FORM_ROW]);
+    return add_piece(row, rows, c->m->n_form_rows + DIM * c->view.begin[ISLAND_COINCIDENCE],
+                     c->m->n_form_rows + DIM * c->view.end[ISLAND_COINCIDENCE]);
 }
 
 /* Lets islands first .. last - 1 be those at hand. */
@@ -238,19 +263,21 @@ static void look_at(context *c, int32_t first, int32_t last)
     const int32_t *begin = m->island_begin + ISLAND_COLUMNS * first,
                   *end = m->island_begin + ISLAND_COLUMNS * last;
     const int32_t first_function = m->n_form_rows + DIM * m->n_coincidences;
-    c->first_island = first, c->last_island = last;
-    c->begin = begin, c->end = end;
-    c->island = c->s.islands + I_SIZE * first;
-    c->node =
+    c->view.first = first, c->view.last = last;
+    c->view.begin = begin, c->view.end = end;
+    c->view.scalars = c->s.islands + I_SIZE * first;
+    c->view.node =
         (span){begin[ISLAND_FREE],
                begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
-    c->all_composites = 0;
-    c->all_rows = bilateral_pieces(c, c->all_row);
+    c->view.all_composites = 0;
+    c->view.all_rows = bilateral_pieces(c, c->view.all_row);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
-        c->all_rows = add_piece(c->all_row, c->all_rows, first_function + begin[k] - m->n_elements,
-                                first_function + end[k] - m->n_elements);
+        c->view.all_rows =
+            add_piece(c->view.all_row, c->view.all_rows, first_function + begin[k] - m->n_elements,
+                      first_function + end[k] - m->n_elements);
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
-        c->all_composites = add_piece(c->all_composite, c->all_composites, begin[k], end[k]);
+        c->view.all_composites =
+            add_piece(c->view.all_composite, c->view.all_composites, begin[k], end[k]);
     take_all_rows(c);
 }
 
@@ -267,25 +294,26 @@ static inline int take_island(context *c, int32_t i)
 #define EACH_ISLAND(c, i) for (int32_t i = 0; take_island(c, i); i++)
 
 /* Lean or bare: the last two of a model. */
-static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; }
+static inline int is_lean(const context *c) { return c->factors.lu >= &c->m->lean; }
 
 /* Factors without rows of contacts and frictions. */
-static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }
+static inline int is_open(const context *c)
+{ return c->factors.lu == &c->m->open || c->factors.lu == &c->m->bare; }
 
 /* Lets all islands be at hand, and the whole tangent. */
 static void look_at_all(context *c)
 {
-    c->lu = &c->m->full;
-    if (c->m->n_islands > 1 || c->left_out) look_at(c, 0, c->m->n_islands);
+    c->factors.lu = &c->m->full;
+    if (c->m->n_islands > 1 || c->view.left_out) look_at(c, 0, c->m->n_islands);
 }
 
 /* Factors of the whole tangent, and lean ones, that serve. */
 static inline const holonom_elimination *full_factors(const context *c)
-{ return c->asleep && c->m->n_open_values ? &c->m->open : &c->m->full; }
+{ return c->view.asleep && c->m->n_open_values ? &c->m->open : &c->m->full; }
 
 static inline const holonom_elimination *lean_factors(const context *c)
 {
-    return c->asleep && c->m->n_bare_values ? &c->m->bare : &c->m->lean;
+    return c->view.asleep && c->m->n_bare_values ? &c->m->bare : &c->m->lean;
 }
 
 /* Copies the state to a backup, and back. */
@@ -294,7 +322,7 @@ static void keep_state(const context *c, double *backup)
 static void take_state(context *c, const double *backup)
 { memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
 
-static inline int is_seeking(const context *c) { return c->theta != 0.5; }
+static inline int is_seeking(const context *c) { return c->step.theta != 0.5; }
 
 /* The sections extent, row_scale and row_sigma lie side by side. */
 static inline size_t derived_bytes(const holonom_model *m)
@@ -303,9 +331,9 @@ static inline size_t derived_bytes(const holonom_model *m)
 /* Lets all contacts be near again. */
 static void see_all(context *c)
 {
-    if (!c->near[NEAR_CONTACTS]) return;
-    for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
-    look_at(c, c->first_island, c->last_island);
+    if (!c->view.near[NEAR_CONTACTS]) return;
+    for (int k = 0; k < NEAR_LISTS; k++) c->view.near[k] = NULL;
+    look_at(c, c->view.first, c->view.last);
 }
 
 static void open_context(context *c, const holonom_model *m, double *number, double *state,
@@ -315,14 +343,14 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->number = number;
     c->state_size = hm_map_state(m, state, &c->s);
     hm_map_work(m, work, &c->k);
-    c->t = c->start = c->s.head[S_TIME];
+    c->t = c->laws.start = c->s.head[S_TIME];
     c->watch = NULL;
     c->mesh = NULL;
     c->tolerance = hm_tolerance(c->s.head);
     c->h = 0.0;
     c->n_moving = m->n_free + m->n_driven;
-    c->theta = 0.5;
-    c->half = 0, c->halves = 2;
+    c->step.theta = 0.5;
+    c->step.half = 0, c->step.halves = 2;
     c->last = (step_result){.method = COMPOSED,
                             .free_part = 1.0,
                             .growth = 1.0,
@@ -330,19 +358,22 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
                             .shorter = 0.5};
     c->switches = (switch_times){.next = NAN, .last = -INFINITY};
     if (m->switching) c->k.watched[0] = INFINITY, c->k.watched[1] = -INFINITY;
-    c->cone_mu = c->k.mu;
-    c->constraints_only = c->careful = c->at_state = c->damped = c->at_fault = c->samples =
-        c->sliding = c->soft = c->may_share = 0;
-    c->stepping = c->reads = c->foretells = c->n_kept_forces = c->defers_friction =
-        c->may_fall_asleep = c->rows_known = 0;
+    c->friction.cone_mu = c->k.mu;
+    c->step.constraints_only = c->step.careful = c->step.at_state = c->step.damped =
+        c->step.at_fault = c->laws.are_samples = c->friction.slides = c->friction.soft =
+            c->factors.may_share = 0;
+    c->step.changes_contacts = c->laws.reads = c->laws.foretells = c->step.n_kept_forces =
+        c->friction.is_deferred = c->view.may_fall_asleep = c->step.rows_known = 0;
     for (int32_t f = 0; f < n_frictions(m); f++)
-        c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
-    for (int k = 0; k < NEAR_LISTS; k++) c->near[k] = NULL;
-    c->lu = &m->full;
+        c->friction.slides |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
+    for (int k = 0; k < NEAR_LISTS; k++) c->view.near[k] = NULL;
+    c->factors.lu = &m->full;
     look_at(c, 0, m->n_islands);
     c->event = (event_at_hand){0};
-    c->kept_factors = (kept_factors){.lu = c->lu};
-    c->secants = (secant_pairs){.lu = c->lu};
+    c->factors.kept_lu = c->factors.lu;
+    c->factors.kept_h = 0.0;
+    c->factors.kept_increments = 0;
+    c->secants = (secant_pairs){.lu = c->factors.lu};
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
 

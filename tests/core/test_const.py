@@ -24,10 +24,10 @@ def functions(text: str) -> Iterator[tuple[str, str, str]]:
 
 def writes_the_state(context: str, body: str) -> bool:
     """Tell whether a body assigns to the state, or to what it has a pointer to it for."""
-    parts = rf"(?:{context}->(?:s\.\w+|island)|(?:contact|friction)_of\({context})\b"
+    parts = rf"(?:{context}->(?:s\.\w+|view\.scalars)|(?:contact|friction)_of\({context})\b"
     pointers = re.findall(rf"(?<!const )double \*(?:const )?(\w+) = {parts}", body)
     places = [rf"(?<![\w.>]){pointer}{PLACE}" for pointer in pointers]
-    places += [rf"{context}->(?:s\.\w+|island){PLACE}"]
+    places += [rf"{context}->(?:s\.\w+|view\.scalars){PLACE}"]
     places += [rf"(?:contact|friction)_of\({context}[^)]*\){PLACE}"]
     written = [f"{place}{WRITES}" for place in places]
     written += [rf"(?:hm_add|memcpy|memset)\({context}->s\."]

@@ -148,7 +148,7 @@ static int32_t solve_choices(context *c, int parity, int at_once)
     const int are_many = !at_once && n_near(c) > FEW_NEAR;
     for (int choice = 0; choice < MOST_CHOICES; choice++) {
         objections x = {0, 0, NONE_CHANGES, at_once};
-        c->kept_factors.h = 0.0;
+        c->factors.kept_h = 0.0;
         int32_t status = solve_step(c, parity), solved = status;
         if (status && !may_choose_anew(status)) return status;
         if (status && together) return HOLONOM_CONTACT_UNDECIDED;

@@ -22,7 +22,7 @@ static int32_t place_of_unknown(const context *c, int32_t j, int32_t node)
 static const int32_t *lower_slots(const context *c, int32_t j)
 {
     const int32_t size = local_places(c, j, local_place(c) + c->m->n_local_nodes);
-    return c->lu->composite_slot + c->lu->composite_slot_ptr[j] + size
+    return c->factors.lu->composite_slot + c->factors.lu->composite_slot_ptr[j] + size
            + (is_lean(c) ? 0 : size * size);
 }
 
@@ -42,9 +42,9 @@ HM_SELDOM static void turning_tangent(const context *c, int32_t j, int32_t size,
     const int32_t *slots[3];
     /* A slip that is stopped overshoots by the slope of its law, and comes back so, for ever; by a
        part of the chord it does not. */
-    const double turns = c->careful && is_smooth(c, f) ? 0.5 : 1.0;
+    const double turns = c->step.careful && is_smooth(c, f) ? 0.5 : 1.0;
     const double per_slip =
-        slip != 0.0 ? cone(c, f, 1, normal_force(c, f, c->cone_mu)) / slip : 0.0;
+        slip != 0.0 ? cone(c, f, 1, normal_force(c, f, c->friction.cone_mu)) / slip : 0.0;
     if (per_slip == 0.0) return;
     int l = 0;
     while (slip_row(c, f, l) != j) l++;
@@ -79,17 +79,17 @@ HM_SELDOM static void turning_tangent(const context *c, int32_t j, int32_t size,
 HM_SELDOM static void cone_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
-    for (int32_t f = 0; f < m->n_frictions && c->sliding; f++) {
+    for (int32_t f = 0; f < m->n_frictions && c->friction.slides; f++) {
         double along[3], root = 0.0;
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
-        const int32_t *slot = c->lu->cone_slot + c->lu->cone_slot_ptr[f];
+        const int32_t *slot = c->factors.lu->cone_slot + c->factors.lu->cone_slot_ptr[f];
         slip_direction(c, f, along);
         for (int k = 0; k < n_slips(c, f); k++)
             for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1]; at++) {
                 const int32_t row = m->normal_row[2 * at], how = m->normal_row[2 * at + 1];
-                if (how == NORMAL_BEGINS) sum_of_squares(c, f, at, c->cone_mu, &root);
+                if (how == NORMAL_BEGINS) sum_of_squares(c, f, at, c->friction.cone_mu, &root);
                 const double slope = how == NORMAL_PUSHES ? -1.0
-                                     : root > 0.0         ? c->cone_mu[row] / root
+                                     : root > 0.0         ? c->friction.cone_mu[row] / root
                                                           : 0.0;
                 const double epsilon = c->k.epsilon[row_of(c, slip_row(c, f, k))];
                 value[*slot++] += epsilon * c->number[m->sliding_at + f] * slope * along[k];

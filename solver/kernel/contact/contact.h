@@ -131,12 +131,12 @@ HM_SELDOM static double slip_at_state(const context *c, int32_t f, double *along
 /* Evaluates laws, quantities and rates of signals at the present state. */
 HM_SELDOM static void evaluate_state(context *c)
 {
-    if (!c->stepping) see_all(c);
+    if (!c->step.changes_contacts) see_all(c);
     if (c->m->sensing) sense(c, 0.0, 0);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t, 1);
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
-    c->kept_factors.h = 0.0; /* factors of a step do not outlast what follows */
+    c->factors.kept_h = 0.0; /* factors of a step do not outlast what follows */
 }
 
 /* Blames the closed contact that is pressed most, by the means of the last half step; none if all
@@ -164,7 +164,7 @@ HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
     for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) != FRICTION_SLIDES; k++)
         c->k.slip[row_of(c, slip_row(c, f, k))] = NAN;
     friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
-    c->sliding = 1;
+    c->friction.slides = 1;
     for (int k = 0; k < n_slips(c, f); k++) friction_of(c, f)[F_ALONG_1 + k] = along[k];
 }
 
@@ -208,7 +208,7 @@ HM_SELDOM static int32_t evaluate_forces(context *c)
     for (int32_t f = 0; f < c->m->n_frictions; f++)
         if (is_smooth(c, f) && friction_mode(c, f) == FRICTION_SLIDES) guess_friction(c, f);
     const int32_t status = accelerations(c, c->k.event_mu);
-    c->may_share = has_small_pivot(c, c->lu);
+    c->factors.may_share = has_small_pivot(c, c->factors.lu);
     signal_rates_at(c, c->t, c->k.signal_rate);
     quantities_at_state(c);
     return status;

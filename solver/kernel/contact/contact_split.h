@@ -16,7 +16,7 @@
 #include "rest_split.h"
 
 #define SAME_ROW 1e-10   /* pivot of rows of size 1 that counts as zero */
-#define NO_LOAD 1e-12 /* part of the forces at hand that is left of them where they hold nothing  
+#define NO_LOAD 1e-12 /* part of the forces at hand that is left of them where they hold nothing
                          \ */
 #define STILL_MOVES                                                                                \
     1e-12 /* rate of a row that should have none, over that without other rows: it is solved for   \
@@ -136,7 +136,7 @@ HM_SELDOM static int collect_shared(const context *c, shared_forces *x)
         for (int k = 0; k < slips; k++) add_unit(x, slip_row(c, f, k), 1.0);
         x->joints++;
     }
-    return x->split.contacts > 1 || (x->split.contacts && c->may_share);
+    return x->split.contacts > 1 || (x->split.contacts && c->factors.may_share);
 }
 
 /* What the limit of friction f, less its preload, is with multipliers mu if the forces that press
@@ -183,9 +183,9 @@ HM_SELDOM static int32_t fill_shared(context *c, const shared_forces *x)
     for (int32_t k = 0; k < x->split.contacts; k++)
         if (x->contact[k] < 0) friction_of(c, -1 - x->contact[k])[F_MODE] = FRICTION_OFF;
     stand_still(c);
-    c->cone_mu = c->k.event_mu;
+    c->friction.cone_mu = c->k.event_mu;
     int32_t status = factorise_at_state(c);
-    c->cone_mu = c->k.mu;
+    c->friction.cone_mu = c->k.mu;
     for (int32_t u = 0; u < n && !status; u++) {
         status = find_reach(c, x->row[u], u);
         hold_rows(c, c->k.hit_reach + (int64_t)DIM * c->n_moving * u);

@@ -40,7 +40,8 @@ static inline double travel_left(const context *c)
    asleep. */
 static inline int asks_for_far(const context *c, double reach)
 {
-    return c->may_fall_asleep || (c->near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach));
+    return c->view.may_fall_asleep
+           || (c->view.near[NEAR_CONTACTS] && !(travel_left(c) > WAKES * reach));
 }
 
 /* Wakes all contacts for good. */
@@ -183,11 +184,12 @@ static int32_t add_slice(const context *c, near_slice *own, int32_t used)
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         EACH_ROW_OF_KIND(c, j, k) rows = add_piece(row, rows, row_of(c, j), row_of(c, j) + 1);
     span *composite = row + rows;
-    composites = add_piece(composite, 0, c->begin[ISLAND_ELEMENT], c->end[ISLAND_ELEMENT]);
+    composites =
+        add_piece(composite, 0, c->view.begin[ISLAND_ELEMENT], c->view.end[ISLAND_ELEMENT]);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         EACH_ROW_OF_KIND(c, j, k) composites = add_piece(composite, composites, j, j + 1);
-    composites =
-        add_piece(composite, composites, c->begin[ISLAND_POTENTIAL], c->end[ISLAND_POTENTIAL]);
+    composites = add_piece(composite, composites, c->view.begin[ISLAND_POTENTIAL],
+                           c->view.end[ISLAND_POTENTIAL]);
     *own = (near_slice){used, rows, used + rows, composites};
     return used + rows + composites;
 }
@@ -267,14 +269,14 @@ static void leave_far_out(context *c)
     x.active = x.linked + m->n_linked + 1;
     double *const rows[] = {c->k.mu, c->k.lambda,
                             c->k.phi}; /* a piece begins, which writes those at hand */
-    for (int k = 0; k < 3 && !c->near[NEAR_CONTACTS]; k++)
+    for (int k = 0; k < 3 && !c->view.near[NEAR_CONTACTS]; k++)
         memset(rows[k] + row_of(c, first_function(c)), 0,
                sizeof(double) * (size_t)(m->n_function_rows + m->n_velocity_rows));
     if (all_is_far(c)) list_nothing(c, x);
     else list_awake(c, x);
-    c->near[NEAR_CONTACTS] = x.contact, c->near[NEAR_FRICTIONS] = x.friction,
-    c->near[NEAR_ROWS] = x.row;
-    c->near[NEAR_LINKED] = x.linked, c->near[NEAR_ACTIVE] = x.active;
+    c->view.near[NEAR_CONTACTS] = x.contact, c->view.near[NEAR_FRICTIONS] = x.friction,
+    c->view.near[NEAR_ROWS] = x.row;
+    c->view.near[NEAR_LINKED] = x.linked, c->view.near[NEAR_ACTIVE] = x.active;
     int32_t used = 0;
     for (int32_t island = 0; island <= islands; island++) {
         look_at(c, island < islands ? island : 0, island < islands ? island + 1 : islands);
@@ -293,7 +295,7 @@ static void look_far(context *c, double travel, double *value, double *rate)
 {
     double *head = c->s.head, next = INFINITY;
     int changes = 0;
-    c->may_fall_asleep = 0;
+    c->view.may_fall_asleep = 0;
     if (!hm_skips(SKIP_FAR_CONTACTS) || c->tolerance > 0.0 || n_contacts(c->m) < WORTH_SLEEP)
         return;
     for (int32_t i = 0; i < n_contacts(c->m); i++) {
@@ -314,7 +316,7 @@ static void look_far(context *c, double travel, double *value, double *rate)
         changes |= slept != is_asleep(c, i);
     }
     head[S_NEXT_AWAKE] = next < INFINITY ? next : 0.0;
-    if (changes || (some_sleep(c) && !c->near[NEAR_CONTACTS])) leave_far_out(c);
+    if (changes || (some_sleep(c) && !c->view.near[NEAR_CONTACTS])) leave_far_out(c);
 }
 
 #endif

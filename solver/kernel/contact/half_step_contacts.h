@@ -103,7 +103,7 @@ static void begin_choice(context *c, double h)
         x->gap = gap_of(c, i);
         x->is_near = x->was_closed != 0.0 || x->gap < speed + fall + none;
         x->rate = x->is_near != 0.0 ? gap_rate(c, i) : 0.0;
-        if (x->was_closed == 0.0) c->may_fall_asleep |= is_far_enough(c, i, x->gap);
+        if (x->was_closed == 0.0) c->view.may_fall_asleep |= is_far_enough(c, i, x->gap);
         x->is_near = x->was_closed != 0.0 || x->gap + 2.0 * h * fmin(x->rate, 0.0) - fall < none;
     }
     EACH_FRICTION(c, f) {

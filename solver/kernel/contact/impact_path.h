@@ -26,6 +26,14 @@
 /* Ways out of a jam, as bits. */
 enum { JAM_RETREATED = 1, JAM_SLOW_STOPPED = 2, JAM_ENDED = 4, JAM_PLASTIC = 8 };
 
+/* Impulses in joints, as many as forces: of unit impulses (rows x forces); those of each contact,
+   none of one that is no joint; of each whether it belongs to the norm of the one before. */
+typedef struct joint_impulses {
+    int32_t forces;
+    const double *force;
+    const int32_t *begin, *end, *continues;
+} joint_impulses;
+
 /* Rows are rates [m/s or rad/s], and impulses of the same contacts [N s or N m s]. A joint that
    rubs is a contact as well, whose p_N is a sum of norms of impulses in its rows; its normal row
    has no rate. */
@@ -38,11 +46,7 @@ typedef struct hm_impact {
     double *W; /* rows x rows: G M^-1 G' reduced by the bilateral rows; may be singular. Normal rows
                   of joints, 0, are overwritten */
     const double *before; /* rows: gamma-; of a normal row negative where bodies approach */
-    int32_t forces;                  /* impulses in joints */
-    const double *force;             /* rows x forces: of unit impulses */
-    const int32_t *force_begin, *force_end; /* per contact: those of a joint; else none */
-    /* Per force: whether it belongs to the norm of the one before. */
-    const int32_t *force_continues;
+    joint_impulses joints;
     double *impulse, *after;         /* rows, overwritten: p, gamma+ */
     double *compression, *expansion; /* per contact, overwritten: C, X [J] */
     double friction, plastic;        /* overwritten: D; what the last way out of a jam takes [J] */
@@ -78,22 +82,32 @@ enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
    the piece lasts. */
 enum { IDLE, PUSHES_SLIDING, PUSHES_STUCK, PUSHES_BEGINNING };
 
-/* Numbers of a sweep: rows each, those of contacts as many. */
+/* Numbers of a sweep: rows each, those of contacts as many.
+
+   Of the active contacts: W and what else their rates are found from, and the contact of each. */
+typedef struct active_rows {
+    double *matrix, *b, *way, *p, *rate, *coefficient;
+    int32_t *first, *tangents, *slides, *contact;
+} active_rows;
+
+/* Per contact: v; the rate of its wall in a jam, how far that is, and its rate in the piece;
+   whether it is live, on, sticks, and whether it waits: it has ended below its wall, which stands
+   until there are rates with which it rises. */
+typedef struct impact_walls {
+    double *speed, *retreat, *deep, *rate;
+    int32_t *live, *on, *stuck, *waits;
+} impact_walls;
+
 typedef struct impact_path {
     hm_impact *x;
     contact_problem rates; /* of the active contacts */
-    double *matrix;        /* its W */
-    double *b, *way, *p, *rate, *coefficient; /* likewise */
-    int32_t *first, *tangents, *slides, *active; /* likewise; active: the contact of each */
+    active_rows active;
     double *gamma, *size;  /* rates now; sum of the sizes of their terms so far */
     double *q, *turn;      /* p' and gamma' of the piece */
     double *lead;          /* rows: direction of slip that begins */
-    double *speed, *retreat, *deep, *wall; /* per contact: v; rate of its wall in a jam; how far
-                                              that is; its rate in the piece */
+    impact_walls walls;
     double *stage, *start; /* 12 stages of rows + contacts + 2; one more */
     double *kept;          /* rows */
-    int32_t *live, *on, *stuck, *waits; /* waits: has ended below its wall, which stands until there
-                                           are rates with which it rises */
     double tau, way_sign;
     double pace;   /* rate of the clock in a step */
     double patience; /* factor on slip that turns and counts as stopped: 1, more once a piece has
@@ -111,41 +125,41 @@ static inline impact_path sweep_map(hm_impact *x)
     double *s = x->scratch + CONTACT_SCRATCH(n), *v = s + n * n;
     int32_t *i = (int32_t *)(void *)(v + 17 * n);
     impact_path y = {.x = x,
-                     .matrix = s,
-                     .b = v,
-                     .way = v + n,
-                     .p = v + 2 * n,
-                     .rate = v + 3 * n,
-                     .coefficient = v + 4 * n,
+                     .active.matrix = s,
+                     .active.b = v,
+                     .active.way = v + n,
+                     .active.p = v + 2 * n,
+                     .active.rate = v + 3 * n,
+                     .active.coefficient = v + 4 * n,
                      .gamma = v + 5 * n,
                      .size = v + 6 * n,
                      .q = v + 7 * n,
                      .turn = v + 8 * n,
                      .lead = v + 9 * n,
-                     .speed = v + 10 * n,
-                     .retreat = v + 11 * n,
-                     .deep = v + 12 * n,
-                     .wall = v + 13 * n,
+                     .walls.speed = v + 10 * n,
+                     .walls.retreat = v + 11 * n,
+                     .walls.deep = v + 12 * n,
+                     .walls.rate = v + 13 * n,
                      .kept = v + 14 * n,
-                     .first = i,
-                     .tangents = i + n,
-                     .slides = i + 2 * n,
-                     .active = i + 3 * n,
-                     .live = i + 4 * n,
-                     .on = i + 5 * n,
-                     .stuck = i + 6 * n,
-                     .waits = i + 7 * n,
+                     .active.first = i,
+                     .active.tangents = i + n,
+                     .active.slides = i + 2 * n,
+                     .active.contact = i + 3 * n,
+                     .walls.live = i + 4 * n,
+                     .walls.on = i + 5 * n,
+                     .walls.stuck = i + 6 * n,
+                     .walls.waits = i + 7 * n,
                      .start = v + 21 * n,
                      .stage = v + 24 * n};
-    y.rates = (contact_problem){.first = y.first,
-                                .tangents = y.tangents,
-                                .coefficient = y.coefficient,
-                                .slides = y.slides,
-                                .way = y.way,
-                                .W = y.matrix,
-                                .b = y.b,
-                                .p = y.p,
-                                .rate = y.rate,
+    y.rates = (contact_problem){.first = y.active.first,
+                                .tangents = y.active.tangents,
+                                .coefficient = y.active.coefficient,
+                                .slides = y.active.slides,
+                                .way = y.active.way,
+                                .W = y.active.matrix,
+                                .b = y.active.b,
+                                .p = y.active.p,
+                                .rate = y.active.rate,
                                 .scratch = x->scratch};
     return y;
 }
@@ -155,7 +169,7 @@ static inline int32_t impact_slips(const hm_impact *x, int32_t i)
 
 /* Whether contact i is a joint that rubs. */
 static inline int is_joint(const hm_impact *x, int32_t i)
-{ return x->forces > 0 && x->force_end[i] > x->force_begin[i]; }
+{ return x->joints.forces > 0 && x->joints.end[i] > x->joints.begin[i]; }
 
 static inline double impact_weight(const hm_impact *x, int32_t i)
 {
@@ -204,24 +218,25 @@ HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
         const double slip = x->tangents[i] ? x->W[(k + 1) * n + k + 1] : 0.0,
                      scale = slip > 0.0 ? slip : 1.0;
         memset(line, 0, sizeof(double) * (size_t)n);
-        for (int32_t at = x->force_begin[i]; at < x->force_end[i];) {
+        for (int32_t at = x->joints.begin[i]; at < x->joints.end[i];) {
             const int32_t begin = at;
             double sum = 0.0;
             do {
                 double impulse = 0.0;
                 for (int32_t r = 0; r < n; r++)
-                    impulse += p[r] * x->force[(int64_t)r * x->forces + at];
+                    impulse += p[r] * x->joints.force[(int64_t)r * x->joints.forces + at];
                 sum += hm_square(impulse);
                 at++;
-            } while (at < x->force_end[i] && x->force_continues[at]);
+            } while (at < x->joints.end[i] && x->joints.continues[at]);
             const double root = sqrt(sum);
             pressed += root;
             for (int32_t f = begin; f < at && root > 0.0; f++) {
                 double impulse = 0.0;
                 for (int32_t r = 0; r < n; r++)
-                    impulse += p[r] * x->force[(int64_t)r * x->forces + f];
+                    impulse += p[r] * x->joints.force[(int64_t)r * x->joints.forces + f];
                 for (int32_t r = 0; r < n; r++)
-                    line[r] -= scale * impulse / root * x->force[(int64_t)r * x->forces + f];
+                    line[r] -=
+                        scale * impulse / root * x->joints.force[(int64_t)r * x->joints.forces + f];
             }
         }
         line[k] += scale;
@@ -235,14 +250,14 @@ HM_SELDOM static double press_joints(const hm_impact *x, const double *p)
 static inline double wall_rate(const impact_path *s, int32_t i, int is_active)
 {
     if (s->way_sign > 0.0)
-        return s->live[i]                                          ? s->speed[i]
-               : s->deep[i] > 0.0 && (s->all_rise || !s->waits[i]) ? s->retreat[i]
+        return s->walls.live[i]                                          ? s->walls.speed[i]
+               : s->walls.deep[i] > 0.0 && (s->all_rise || !s->walls.waits[i]) ? s->walls.retreat[i]
                                                                    : 0.0;
-    return s->live[i] ? -s->speed[i] : is_active ? -s->retreat[i] : 0.0;
+    return s->walls.live[i] ? -s->walls.speed[i] : is_active ? -s->walls.retreat[i] : 0.0;
 }
 
 static inline double wall_now(const impact_path *s, int32_t i)
-{ return s->live[i] ? s->tau * s->speed[i] : -s->deep[i]; }
+{ return s->walls.live[i] ? s->tau * s->walls.speed[i] : -s->walls.deep[i]; }
 
 static inline int is_active(const impact_path *s, int32_t i)
 {
@@ -258,26 +273,27 @@ HM_SELDOM static void pack_rates(impact_path *s, double slow)
     contact_problem *y = &s->rates;
     y->contacts = y->rows = 0;
     for (int32_t i = 0; i < x->contacts; i++) {
-        if (s->by_law ? s->on[i] == IDLE : !is_active(s, i)) continue;
+        if (s->by_law ? s->walls.on[i] == IDLE : !is_active(s, i)) continue;
         const int32_t c = y->contacts++, k = x->first[i], n = impact_slips(x, i);
         const double slip = n ? slip_now(s, i) : 0.0;
-        s->active[c] = i;
-        s->first[c] = y->rows, s->tangents[c] = n, s->coefficient[c] = x->coefficient[i];
-        s->slides[c] = n && !s->stuck[i] && slip > slow * s->size[k + 1];
-        s->b[y->rows] = s->by_law ? -s->wall[i] : -wall_rate(s, i, 1);
+        s->active.contact[c] = i;
+        s->active.first[c] = y->rows, s->active.tangents[c] = n,
+        s->active.coefficient[c] = x->coefficient[i];
+        s->active.slides[c] = n && !s->walls.stuck[i] && slip > slow * s->size[k + 1];
+        s->active.b[y->rows] = s->by_law ? -s->walls.rate[i] : -wall_rate(s, i, 1);
         for (int32_t a = 1; a <= n; a++) {
-            s->b[y->rows + a] = 0.0;
-            s->way[y->rows + a] = s->slides[c] ? s->gamma[k + a] / slip : 0.0;
+            s->active.b[y->rows + a] = 0.0;
+            s->active.way[y->rows + a] = s->active.slides[c] ? s->gamma[k + a] / slip : 0.0;
         }
         y->rows += 1 + n;
     }
     for (int32_t c = 0; c < y->contacts; c++)
-        for (int32_t a = 0; a <= s->tangents[c]; a++) {
-            const double *from = x->W + (int64_t)x->rows * (x->first[s->active[c]] + a);
-            double *to = s->matrix + (int64_t)y->rows * (s->first[c] + a);
+        for (int32_t a = 0; a <= s->active.tangents[c]; a++) {
+            const double *from = x->W + (int64_t)x->rows * (x->first[s->active.contact[c]] + a);
+            double *to = s->active.matrix + (int64_t)y->rows * (s->active.first[c] + a);
             for (int32_t d = 0; d < y->contacts; d++)
-                for (int32_t b = 0; b <= s->tangents[d]; b++)
-                    to[s->first[d] + b] = from[x->first[s->active[d]] + b];
+                for (int32_t b = 0; b <= s->active.tangents[d]; b++)
+                    to[s->active.first[d] + b] = from[x->first[s->active.contact[d]] + b];
         }
 }
 
@@ -292,33 +308,33 @@ HM_SELDOM static int rates_of_path(impact_path *s, double slow)
     if (joints) press_joints(x, s->q);
     do {
         pack_rates(s, slow);
-        for (int32_t k = 0; k < y->rows; k++) moves |= s->b[k] != 0.0;
+        for (int32_t k = 0; k < y->rows; k++) moves |= s->active.b[k] != 0.0;
         memset(s->q, 0, sizeof(double) * (size_t)x->rows);
         if (!moves) return 0;
         if (hm_solve_contacts(y, s->way_sign > 0.0 ? LEAST_WORK_IF_ANY : MOST_WORK)) return 1;
         if (!joints) hm_share_impulses(y);
         for (int32_t c = 0; c < y->contacts; c++)
-            for (int32_t a = 0; a <= s->tangents[c]; a++)
-                s->q[x->first[s->active[c]] + a] = s->p[s->first[c] + a];
+            for (int32_t a = 0; a <= s->active.tangents[c]; a++)
+                s->q[x->first[s->active.contact[c]] + a] = s->active.p[s->active.first[c] + a];
     } while (joints && press_joints(x, s->q) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
     if (s->way_sign > 0.0) x->several |= y->several;
     double most = 0.0;
     for (int32_t k = 0; k < y->rows; k++)
-        if (s->matrix[k * (y->rows + 1)] > 0.0)
-            most = fmax(most, hm_square(s->b[k]) / s->matrix[k * (y->rows + 1)]);
+        if (s->active.matrix[k * (y->rows + 1)] > 0.0)
+            most = fmax(most, hm_square(s->active.b[k]) / s->active.matrix[k * (y->rows + 1)]);
     return s->way_sign < 0.0 && !(work_of_solution(y) > NO_WORK * most);
 }
 
 static inline int may_end(const impact_path *s, int32_t i)
-{ return s->live[i] || (s->deep[i] > 0.0 && !s->waits[i]); }
+{ return s->walls.live[i] || (s->walls.deep[i] > 0.0 && !s->walls.waits[i]); }
 
 /* Contact i ends; one that has not stopped yet stays where it is until its wall can rise. */
 static inline void end_contact(impact_path *s, int32_t i)
 {
-    s->live[i] = 0;
-    s->deep[i] = -s->gamma[s->x->first[i]];
-    if (!(s->deep[i] > none_of_row(s, s->x->first[i]))) s->deep[i] = 0.0;
-    s->waits[i] = s->deep[i] > 0.0;
+    s->walls.live[i] = 0;
+    s->walls.deep[i] = -s->gamma[s->x->first[i]];
+    if (!(s->walls.deep[i] > none_of_row(s, s->x->first[i]))) s->walls.deep[i] = 0.0;
+    s->walls.waits[i] = s->walls.deep[i] > 0.0;
 }
 
 /* Contacts that end where no path goes on: the union of the least sets of them without which there
@@ -335,13 +351,13 @@ HM_SELDOM static void end_unsolvable(impact_path *s)
             for (int32_t k = 0; k < count; k++) bits += set >> k & 1;
             if (bits != size) continue;
             for (int32_t k = 0; k < count; k++) {
-                was_live[k] = s->live[which[k]], was_deep[k] = s->deep[which[k]];
+                was_live[k] = s->walls.live[which[k]], was_deep[k] = s->walls.deep[which[k]];
                 if (set >> k & 1) end_contact(s, which[k]);
             }
             if (!rates_of_path(s, 0.0)) out |= set;
             for (int32_t k = 0; k < count; k++)
-                s->live[which[k]] = was_live[k], s->deep[which[k]] = was_deep[k],
-                s->waits[which[k]] = 0;
+                s->walls.live[which[k]] = was_live[k], s->walls.deep[which[k]] = was_deep[k],
+                s->walls.waits[which[k]] = 0;
         }
     for (int32_t i = 0, k = 0; i < s->x->contacts; i++)
         if (may_end(s, i) && (count > MOST_ENDINGS || !out || out >> k++ & 1)) end_contact(s, i);
@@ -355,10 +371,10 @@ HM_SELDOM static int find_rates(impact_path *s)
 {
     int ends = 0, waits = 0;
     s->way_sign = 1.0;
-    for (int32_t i = 0; i < s->x->contacts; i++) waits |= s->waits[i];
+    for (int32_t i = 0; i < s->x->contacts; i++) waits |= s->walls.waits[i];
     s->all_rise = 1;
     const int none_rise = rates_of_path(s, 0.0);
-    for (int32_t i = 0; i < s->x->contacts && !none_rise; i++) s->waits[i] = 0;
+    for (int32_t i = 0; i < s->x->contacts && !none_rise; i++) s->walls.waits[i] = 0;
     s->all_rise = 0;
     if (!none_rise || (waits && !rates_of_path(s, 0.0))) return RATES_FOUND;
     if (s->tau < 0.0 && s->tau > -LAST_BIT) return GOES_AT_ONCE;

@@ -62,14 +62,14 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
                          .after = d + 4 * n,
                          .compression = d + 5 * n,
                          .expansion = d + 6 * n,
-                         .forces = c->m->n_hit_forces,
-                         .force = c->k.hit_force,
+                         .joints.forces = c->m->n_hit_forces,
+                         .joints.force = c->k.hit_force,
                          .scratch = c->k.hit_scratch,
                          .first = x->first,
                          .tangents = x->tangents,
-                         .force_begin = x->force_begin,
-                         .force_end = x->force_end,
-                         .force_continues = (const int32_t *)(const void *)c->k.hit_norms};
+                         .joints.begin = x->force_begin,
+                         .joints.end = x->force_end,
+                         .joints.continues = (const int32_t *)(const void *)c->k.hit_norms};
 }
 
 /* Adds friction f with that normal row, of a contact or of the joint that rubs; 0 if there is no

@@ -24,15 +24,15 @@ HM_SELDOM static int impulses_at_once(impact_path *s, double *p, double *rate)
                            .first = x->first,
                            .tangents = x->tangents,
                            .coefficient = x->coefficient,
-                           .slides = s->slides,
-                           .way = s->way,
+                           .slides = s->active.slides,
+                           .way = s->active.way,
                            .W = x->W,
                            .b = s->gamma,
                            .p = p,
                            .rate = rate,
                            .scratch = x->scratch};
     int presses = 0;
-    for (int32_t i = 0; i < x->contacts; i++) s->slides[i] = 0;
+    for (int32_t i = 0; i < x->contacts; i++) s->active.slides[i] = 0;
     all.least_size = REST_OF_RATES * sqrt(s->energy);
     memset(p, 0, sizeof(double) * (size_t)x->rows);
     press_joints(x, p);
@@ -48,11 +48,11 @@ HM_SELDOM static int stop_at_once(impact_path *s)
 {
     hm_impact *x = s->x;
     rates_anew(s);
-    if (impulses_at_once(s, s->p, s->rate)) return 1;
+    if (impulses_at_once(s, s->active.p, s->active.rate)) return 1;
     x->jam |= JAM_PLASTIC;
     for (int32_t k = 0; k < x->rows; k++) {
-        x->impulse[k] += s->p[k];
-        x->plastic -= 0.5 * s->p[k] * (s->gamma[k] + s->rate[k]);
+        x->impulse[k] += s->active.p[k];
+        x->plastic -= 0.5 * s->active.p[k] * (s->gamma[k] + s->active.rate[k]);
     }
     return 0;
 }
@@ -63,20 +63,22 @@ HM_SELDOM static void go_at_once(impact_path *s)
 {
     hm_impact *x = s->x;
     rates_anew(s);
-    for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] += s->deep[i];
+    for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] += s->walls.deep[i];
     const int failed = impulses_at_once(s, s->q, s->turn);
-    for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] -= s->deep[i];
+    for (int32_t i = 0; i < x->contacts; i++) s->gamma[x->first[i]] -= s->walls.deep[i];
     s->tau = 0.0;
     for (int32_t i = 0; i < x->contacts && failed;
          i++) { /* the path leaves out these rests, none larger than LAST_BIT of the rates */
         const int32_t k = x->first[i];
-        if (fabs(s->gamma[k] + s->deep[i]) <= LAST_BIT * s->size[k]) s->gamma[k] = -s->deep[i];
+        if (fabs(s->gamma[k] + s->walls.deep[i]) <= LAST_BIT * s->size[k])
+            s->gamma[k] = -s->walls.deep[i];
         for (int32_t t = k + 1; t <= k + x->tangents[i]; t++)
             if (fabs(s->gamma[t]) <= LAST_BIT * s->size[t]) s->gamma[t] = 0.0;
     }
     if (failed) return;
     for (int32_t k = 0; k < x->rows; k++) s->turn[k] -= s->gamma[k];
-    for (int32_t i = 0; i < x->contacts; i++) s->turn[x->first[i]] -= s->deep[i], s->wall[i] = 0.0;
+    for (int32_t i = 0; i < x->contacts; i++)
+        s->turn[x->first[i]] -= s->walls.deep[i], s->walls.rate[i] = 0.0;
     go_straight(s, 1.0);
 }
 
@@ -96,13 +98,15 @@ HM_SELDOM static int begin_sweep(impact_path *s)
             fastest = fmax(fastest, -x->before[x->first[i]] / sqrt(impact_weight(x, i)));
     for (int32_t i = 0; i < x->contacts; i++) {
         const double root = sqrt(impact_weight(x, i));
-        x->compression[i] = x->expansion[i] = s->deep[i] = s->wall[i] = 0.0;
-        s->speed[i] = fmax(0.0, -x->before[x->first[i]]);
-        if (!(s->speed[i] > SWEEP_ROUND_OFF * fastest * root)) s->speed[i] = 0.0;
-        s->live[i] = s->speed[i] > 0.0;
-        s->stuck[i] = s->waits[i] = 0;
-        s->retreat[i] = is_joint(x, i) ? 0.0 : s->live[i] ? s->speed[i] : fastest * root;
-        approaches |= s->live[i];
+        x->compression[i] = x->expansion[i] = s->walls.deep[i] = s->walls.rate[i] = 0.0;
+        s->walls.speed[i] = fmax(0.0, -x->before[x->first[i]]);
+        if (!(s->walls.speed[i] > SWEEP_ROUND_OFF * fastest * root)) s->walls.speed[i] = 0.0;
+        s->walls.live[i] = s->walls.speed[i] > 0.0;
+        s->walls.stuck[i] = s->walls.waits[i] = 0;
+        s->walls.retreat[i] = is_joint(x, i)     ? 0.0
+                              : s->walls.live[i] ? s->walls.speed[i]
+                                                 : fastest * root;
+        approaches |= s->walls.live[i];
         for (int32_t k = x->first[i]; k <= x->first[i] + x->tangents[i]; k++)
             s->size[k] = fmax(fabs(x->before[k]),
                               fastest * sqrt(fmax(x->W[(int64_t)k * (x->rows + 1)], 0.0)));
@@ -123,13 +127,13 @@ HM_SELDOM static int sweep_on(impact_path *s)
     hm_impact *x = s->x;
     int goes_on = 0;
     for (int32_t i = 0; i < x->contacts; i++) {
-        if (s->live[i] && s->tau >= 0.0
+        if (s->walls.live[i] && s->tau >= 0.0
             && budget(s, i) <= BUDGET_SPENT * (x->tangents[i] > 1 ? 10.0 : 1.0) * x->compression[i])
-            s->live[i] = 0;
-        goes_on |= s->live[i] || s->deep[i] > 0.0;
+            s->walls.live[i] = 0;
+        goes_on |= s->walls.live[i] || s->walls.deep[i] > 0.0;
         if (!impact_slips(x, i)) continue;
-        s->stuck[i] = slip_now(s, i) <= none_of_slip(s, i);
-        for (int32_t a = 1; a <= x->tangents[i] && s->stuck[i]; a++)
+        s->walls.stuck[i] = slip_now(s, i) <= none_of_slip(s, i);
+        for (int32_t a = 1; a <= x->tangents[i] && s->walls.stuck[i]; a++)
             s->gamma[x->first[i] + a] = 0.0;
     }
     if (!goes_on) return 1;
@@ -137,7 +141,7 @@ HM_SELDOM static int sweep_on(impact_path *s)
     if (found == GOES_AT_ONCE) go_at_once(s);
     if (found) return found == NOTHING_HELPS ? -1 : 0;
     x->pieces++;
-    for (int32_t i = 0; i < x->contacts; i++) s->wall[i] = wall_rate(s, i, is_active(s, i));
+    for (int32_t i = 0; i < x->contacts; i++) s->walls.rate[i] = wall_rate(s, i, is_active(s, i));
     rates_of_impulses(x, s->q, s->turn);
     if (slip_turns(s)) return -go_round(s);
     const double h = length_of_straight(s);

@@ -28,7 +28,7 @@ static int32_t try_half(context *c, double h, int half)
     forget_halves(c);
     int32_t status = solve_contacts(c, parity);
     if (status) return status;
-    if (c->near[NEAR_CONTACTS] && !(travel_left(c) > 4.0 * largest_way(c))) return WAKES_LATE;
+    if (c->view.near[NEAR_CONTACTS] && !(travel_left(c) > 4.0 * largest_way(c))) return WAKES_LATE;
     accept_step(c, parity);
     follow_travel(c, c->k.stepped_backup);
     if (has_closed(c) || c->m->n_frictions) status = change_velocities(c);
@@ -70,8 +70,8 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
     keep_state(c, c->k.stepped_backup);
     int32_t status = HOLONOM_CONTACT_UNDECIDED;
     for (int defers = 0; defers <= may_defer && may_choose_anew(status); defers++)
-        for (c->careful = 0; c->careful <= has_smooth(c); c->careful++) {
-            c->defers_friction = defers;
+        for (c->step.careful = 0; c->step.careful <= has_smooth(c); c->step.careful++) {
+            c->friction.is_deferred = defers;
             status = try_half(c, h, half);
             if (status == WAKES_LATE) {
                 restore_state(c, c->k.stepped_backup, t, law_time);
@@ -79,7 +79,7 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
                 keep_state(c, c->k.stepped_backup);
                 status = try_half(c, h, half);
             }
-            c->defers_friction = 0;
+            c->friction.is_deferred = 0;
             if (!status) {
                 c->s.head[S_DEFERRED_FRICTIONS] += defers;
                 return HOLONOM_OK;
@@ -121,11 +121,11 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     const double rest = step - done, longest = fmin(hm_step_size(head), head[S_LONGEST_STEP]);
     const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
-    if (is_stepped(c)) c->may_fall_asleep = 1;
+    if (is_stepped(c)) c->view.may_fall_asleep = 1;
     else wake_all(c);
     head[S_STEPPED] = 1.0;
     head[S_ORDER_IN_USE] = 2.0;
-    c->stepping = 1;
+    c->step.changes_contacts = 1;
     c->t = start + done;
     if (mesh_of(c)) begin_row(c, rest), end_row(c, TAKEN_STEPPED);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
@@ -143,7 +143,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
         follow_energies(c);
         follow_coarseness(c, h);
     }
-    c->stepping = 0;
+    c->step.changes_contacts = 0;
     see_all(c);
     if (!is_stepped(c)) head[S_UNSETTLED] = 1.0; /* located mode looks at contacts anew */
     return status;
@@ -153,9 +153,9 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
    that it could not solve. If that fails, too, the step fails for the same reason. */
 HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double done, double step)
 {
-    const int32_t at_fault = c->at_fault, status = cover_stepped(c, start, done, step);
+    const int32_t at_fault = c->step.at_fault, status = cover_stepped(c, start, done, step);
     if (!status) return HOLONOM_OK;
-    c->at_fault = at_fault;
+    c->step.at_fault = at_fault;
     return why;
 }
 

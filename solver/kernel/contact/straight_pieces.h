@@ -23,7 +23,7 @@ HM_SELDOM static int slip_turns(const impact_path *s)
 {
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const int32_t k = s->x->first[i], n = impact_slips(s->x, i);
-        if (n < 2 || s->stuck[i] || !(s->q[k] > 0.0)) continue;
+        if (n < 2 || s->walls.stuck[i] || !(s->q[k] > 0.0)) continue;
         const double *u = s->gamma + k + 1, *du = s->turn + k + 1, slip = hm_length(n, u);
         double along = 0.0, across = 0.0, terms = 0.0;
         for (int32_t a = 0; a < n; a++) along += u[a] * du[a] / slip;
@@ -41,7 +41,8 @@ static inline double end_of_walls(const impact_path *s)
 {
     double h = s->way_sign * s->tau < 0.0 ? fabs(s->tau) : INFINITY;
     for (int32_t i = 0; i < s->x->contacts; i++)
-        if (s->deep[i] > 0.0 && s->wall[i] > 0.0) h = fmin(h, s->deep[i] / s->wall[i]);
+        if (s->walls.deep[i] > 0.0 && s->walls.rate[i] > 0.0)
+            h = fmin(h, s->walls.deep[i] / s->walls.rate[i]);
     return h;
 }
 
@@ -52,16 +53,16 @@ HM_SELDOM static double length_of_straight(const impact_path *s)
     double h = end_of_walls(s);
     for (int32_t i = 0; i < x->contacts; i++) {
         const int32_t k = x->first[i], n = impact_slips(x, i);
-        if (n && !s->stuck[i] && s->q[k] > 0.0) {
+        if (n && !s->walls.stuck[i] && s->q[k] > 0.0) {
             const double slip = slip_now(s, i);
             double growth = 0.0;
             for (int32_t a = 1; a <= n; a++) growth += s->gamma[k + a] / slip * s->turn[k + a];
             if (growth < 0.0) h = fmin(h, slip / -growth);
         }
-        const double gap = s->gamma[k] - wall_now(s, i), nears = s->wall[i] - s->turn[k];
+        const double gap = s->gamma[k] - wall_now(s, i), nears = s->walls.rate[i] - s->turn[k];
         if (!(s->q[k] > 0.0) && nears > 0.0 && gap > none_of_row(s, k) && impact_weight(x, i) > 0.0)
             h = fmin(h, gap / nears);
-        if (s->live[i] && s->tau >= 0.0 && s->q[k] > 0.0) {
+        if (s->walls.live[i] && s->tau >= 0.0 && s->q[k] > 0.0) {
             const double left = budget(s, i), a1 = s->q[k] * s->gamma[k],
                          a2 = 0.5 * s->q[k] * s->turn[k];
             const double square = a1 * a1 + 4.0 * a2 * left,
@@ -91,13 +92,13 @@ HM_SELDOM static int move_walls(impact_path *s, double h)
     if (fabs(s->tau) < SWEEP_ROUND_OFF)
         s->tau = 0.0; /* what slips stop with the walls has no order */
     for (int32_t i = 0; i < s->x->contacts; i++) {
-        const double way = h * s->wall[i];
-        if (s->live[i]) s->deep[i] = 0.0;
-        else s->deep[i] -= way;
-        if (s->deep[i] > none_of_row(s, s->x->first[i])) continue;
-        is_back |= s->deep[i] != 0.0 || (way > 0.0 && !s->live[i]);
-        s->deep[i] = 0.0;
-        s->waits[i] = 0;
+        const double way = h * s->walls.rate[i];
+        if (s->walls.live[i]) s->walls.deep[i] = 0.0;
+        else s->walls.deep[i] -= way;
+        if (s->walls.deep[i] > none_of_row(s, s->x->first[i])) continue;
+        is_back |= s->walls.deep[i] != 0.0 || (way > 0.0 && !s->walls.live[i]);
+        s->walls.deep[i] = 0.0;
+        s->walls.waits[i] = 0;
     }
     return is_back;
 }

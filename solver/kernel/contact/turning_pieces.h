@@ -15,17 +15,18 @@ HM_SELDOM static void fix_statuses(impact_path *s)
         largest = fmax(largest, s->q[x->first[i]] * sqrt(impact_weight(x, i)));
     for (int32_t i = 0; i < x->contacts; i++) {
         const int32_t k = x->first[i], n = impact_slips(x, i);
-        s->on[i] = s->q[k] * sqrt(impact_weight(x, i)) > 1e-10 * largest ? PUSHES_SLIDING : IDLE;
-        if (s->on[i] == IDLE || !n || !s->stuck[i]) continue;
+        s->walls.on[i] =
+            s->q[k] * sqrt(impact_weight(x, i)) > 1e-10 * largest ? PUSHES_SLIDING : IDLE;
+        if (s->walls.on[i] == IDLE || !n || !s->walls.stuck[i]) continue;
         const double force = hm_length(n, s->q + k + 1);
         double terms = 0.0;
         for (int32_t j = 0; j < x->rows; j++)
             terms += fabs(x->W[(int64_t)(k + 1) * x->rows + j] * s->q[j]);
         const double growth = hm_length(n, s->turn + k + 1);
         if (force < x->coefficient[i] * s->q[k] * (1.0 - 1e-10) || growth <= 1e-10 * terms)
-            s->on[i] = PUSHES_STUCK;
-        else if (growth < BEGINS_SLOWLY * terms) s->on[i] = PUSHES_BEGINNING;
-        s->by_law |= s->on[i] == PUSHES_BEGINNING;
+            s->walls.on[i] = PUSHES_STUCK;
+        else if (growth < BEGINS_SLOWLY * terms) s->walls.on[i] = PUSHES_BEGINNING;
+        s->by_law |= s->walls.on[i] == PUSHES_BEGINNING;
         for (int32_t a = 1; a <= n; a++) s->lead[k + a] = force > 0.0 ? -s->q[k + a] / force : 0.0;
     }
 }
@@ -41,10 +42,10 @@ HM_SELDOM static void rates_by_statuses(const impact_path *s, const double *gamm
     for (int32_t i = 0; i < x->contacts; i++) {
         const int32_t k = x->first[i], n = impact_slips(x, i);
         const double slip = n ? hm_length(n, gamma + k + 1) : 0.0;
-        const int leads = s->stuck[i] && !(slip > none_of_slip(s, i));
+        const int leads = s->walls.stuck[i] && !(slip > none_of_slip(s, i));
         joints |= is_joint(x, i);
         for (int32_t a = 1; a <= n; a++)
-            direction[k + a] = s->on[i] != PUSHES_SLIDING
+            direction[k + a] = s->walls.on[i] != PUSHES_SLIDING
                                    ? 0.0
                                    : -x->coefficient[i]
                                          * (leads        ? s->lead[k + a]
@@ -54,24 +55,26 @@ HM_SELDOM static void rates_by_statuses(const impact_path *s, const double *gamm
     do {
         int32_t count = 0;
         for (int32_t i = 0; i < x->contacts; i++)
-            if (s->on[i] != IDLE) count += 1 + (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
+            if (s->walls.on[i] != IDLE)
+                count += 1 + (s->walls.on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
         for (int32_t i = 0, e = 0; i < x->contacts; i++)
-            for (int32_t a = 0;
-                 s->on[i] != IDLE && a <= (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
+            for (int32_t a = 0; s->walls.on[i] != IDLE
+                                && a <= (s->walls.on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
                  a++, e++) {
                 const double *w = x->W + (int64_t)x->rows * (x->first[i] + a),
                              own = w[x->first[i] + a];
                 const double scale = own > 0.0 ? 1.0 / sqrt(own) : 0.0;
-                rhs[e] = a ? 0.0 : s->wall[i] * scale;
+                rhs[e] = a ? 0.0 : s->walls.rate[i] * scale;
                 for (int32_t j = 0, u = 0; j < x->contacts; j++)
-                    for (int32_t b = 0; s->on[j] != IDLE
-                                        && b <= (s->on[j] == PUSHES_STUCK ? impact_slips(x, j) : 0);
+                    for (int32_t b = 0;
+                         s->walls.on[j] != IDLE
+                         && b <= (s->walls.on[j] == PUSHES_STUCK ? impact_slips(x, j) : 0);
                          b++, u++) {
                         const int32_t l = x->first[j] + b;
                         const double weight = x->W[(int64_t)l * x->rows + l];
                         double sum = w[l];
-                        for (int32_t t = 1; t <= impact_slips(x, j) && s->on[j] == PUSHES_SLIDING;
-                             t++)
+                        for (int32_t t = 1;
+                             t <= impact_slips(x, j) && s->walls.on[j] == PUSHES_SLIDING; t++)
                             sum += w[l + t] * direction[l + t];
                         A[e * count + u] = weight > 0.0 ? sum * scale / sqrt(weight) : e == u;
                     }
@@ -81,13 +84,13 @@ HM_SELDOM static void rates_by_statuses(const impact_path *s, const double *gamm
         for (int32_t k = 0; k < x->rows; k++) q[k] = 0.0;
         for (int32_t i = 0, u = 0; i < x->contacts; i++) {
             const int32_t k = x->first[i];
-            for (int32_t a = 0;
-                 s->on[i] != IDLE && a <= (s->on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
+            for (int32_t a = 0; s->walls.on[i] != IDLE
+                                && a <= (s->walls.on[i] == PUSHES_STUCK ? impact_slips(x, i) : 0);
                  a++, u++) {
                 const double weight = x->W[(int64_t)(k + a) * (x->rows + 1)];
                 q[k + a] = weight > 0.0 ? solution[u] / sqrt(weight) : 0.0;
             }
-            for (int32_t a = 1; a <= impact_slips(x, i) && s->on[i] == PUSHES_SLIDING; a++)
+            for (int32_t a = 1; a <= impact_slips(x, i) && s->walls.on[i] == PUSHES_SLIDING; a++)
                 q[k + a] = q[k] * direction[k + a];
         }
     } while (joints && press_joints(x, q) > SWEEP_ROUND_OFF && ++presses < MOST_PRESSES);
@@ -107,8 +110,8 @@ HM_SELDOM static void rates_by_law(impact_path *s, double *gamma, double *q)
     }
     hm_share_impulses(&s->rates);
     for (int32_t c = 0; c < s->rates.contacts; c++)
-        for (int32_t a = 0; a <= s->tangents[c]; a++)
-            q[s->x->first[s->active[c]] + a] = s->p[s->first[c] + a];
+        for (int32_t a = 0; a <= s->active.tangents[c]; a++)
+            q[s->x->first[s->active.contact[c]] + a] = s->active.p[s->active.first[c] + a];
 }
 
 /* Size of p', over that of the rates that walls bring about; with the sign of what pushes. */
@@ -117,9 +120,9 @@ HM_SELDOM static double size_of_rates(const impact_path *s, const double *q)
     double largest = 0.0, walls = 0.0;
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const double root = sqrt(impact_weight(s->x, i)), rate = q[s->x->first[i]] * root;
-        if (s->on[i] == IDLE) continue;
+        if (s->walls.on[i] == IDLE) continue;
         if (!(fabs(rate) <= fabs(largest))) largest = rate;
-        walls = fmax(walls, fabs(s->wall[i]) / root);
+        walls = fmax(walls, fabs(s->walls.rate[i]) / root);
     }
     return walls > 0.0 ? largest / walls : 0.0;
 }
@@ -211,21 +214,23 @@ HM_SELDOM static double margin_in_piece(const impact_path *s, int32_t which, con
     case MARGIN_PUSHES: {
         /* Where walls turn back, what they alone push stops to push and would pull. */
         const double turned = s->by_path && s->pace < PAST_TURN ? 3.0 * PAST_TURN : -1e-14;
-        return s->on[i] == IDLE ? INFINITY
+        return s->walls.on[i] == IDLE ? INFINITY
                                 : q[k] * impact_weight(x, i) / (fabs(size) * s->size[k]) + turned;
     }
     case MARGIN_CONE:
-        if (s->on[i] == PUSHES_BEGINNING)
+        if (s->walls.on[i] == PUSHES_BEGINNING)
             return 1.0 - hm_length(n, gamma + k + 1) / (HAS_BEGUN * s->size[k + 1]);
-        if (s->on[i] != PUSHES_STUCK || !n || s->by_law) return INFINITY;
+        if (s->walls.on[i] != PUSHES_STUCK || !n || s->by_law) return INFINITY;
         return 1.0 + CONE_LEFT - hm_length(n, q + k + 1) / (x->coefficient[i] * q[k]);
     case MARGIN_BUDGET:
-        if (s->on[i] == IDLE || !s->live[i] || s->tau < 0.0 || !(x->compression[i] > 0.0))
+        if (s->walls.on[i] == IDLE || !s->walls.live[i] || s->tau < 0.0
+            || !(x->compression[i] > 0.0))
             return INFINITY;
         return (budget(s, i) - end[x->rows + i]) / x->compression[i];
     default:
-        if (s->on[i] != IDLE || !(impact_weight(x, i) > 0.0)) return INFINITY;
-        return (gamma[k] - wall_now(s, i) - way * s->wall[i]) / s->size[k] + 2.0 * SWEEP_ROUND_OFF;
+        if (s->walls.on[i] != IDLE || !(impact_weight(x, i) > 0.0)) return INFINITY;
+        return (gamma[k] - wall_now(s, i) - way * s->walls.rate[i]) / s->size[k]
+               + 2.0 * SWEEP_ROUND_OFF;
     }
 }
 
@@ -249,7 +254,8 @@ HM_SELDOM static double before_stops(const impact_path *s)
     double h = INFINITY;
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const int32_t k = s->x->first[i], n = impact_slips(s->x, i);
-        if (s->on[i] != PUSHES_SLIDING || !n || !(slip_now(s, i) > none_of_slip(s, i))) continue;
+        if (s->walls.on[i] != PUSHES_SLIDING || !n || !(slip_now(s, i) > none_of_slip(s, i)))
+            continue;
         const double slip = slip_now(s, i);
         double growth = 0.0;
         for (int32_t a = 1; a <= n; a++) growth += s->gamma[k + a] / slip * s->turn[k + a];
@@ -263,7 +269,8 @@ HM_SELDOM static int slip_lost(const impact_path *s, const double *gamma)
 {
     for (int32_t i = 0; i < s->x->contacts; i++) {
         const int32_t k = s->x->first[i], n = impact_slips(s->x, i);
-        if (s->on[i] != PUSHES_SLIDING || !n || !(slip_now(s, i) > none_of_slip(s, i))) continue;
+        if (s->walls.on[i] != PUSHES_SLIDING || !n || !(slip_now(s, i) > none_of_slip(s, i)))
+            continue;
         double along = 0.0;
         for (int32_t a = 1; a <= n; a++) along += s->gamma[k + a] * gamma[k + a];
         if (!(along > 0.5 * slip_now(s, i) * hm_length(n, gamma + k + 1))) return 1;
@@ -274,7 +281,7 @@ HM_SELDOM static int slip_lost(const impact_path *s, const double *gamma)
 static inline int slip_stops(const impact_path *s)
 {
     for (int32_t i = 0; i < s->x->contacts; i++)
-        if (impact_slips(s->x, i) && s->on[i] == PUSHES_SLIDING && !s->stuck[i]
+        if (impact_slips(s->x, i) && s->walls.on[i] == PUSHES_SLIDING && !s->walls.stuck[i]
             && slip_now(s, i) <= none_of_slip(s, i))
             return 1;
     return 0;

@@ -33,7 +33,7 @@ static void keep_first_stage(const context *c)
     EACH_CONTACT(c, i) {
         const int32_t row = row_of(c, c->m->contact_row[i]);
         touch_of(c, i)->lands = is_landing(c, i)                        ? LANDS
-                                : is_closed(c, i) && c->defers_friction ? RUBS
+                                : is_closed(c, i) && c->friction.is_deferred ? RUBS
                                                                         : IS_HELD;
         touch_of(c, i)->taken = is_closed(c, i) ? c->k.mu[row] * c->k.change[row] : 0.0;
     }
@@ -454,8 +454,8 @@ static int32_t change_velocities(context *c)
     int32_t status = HOLONOM_OK;
     keep_first_stage(c);
     evaluate_state(c);
-    const int deferred = c->defers_friction;
-    c->defers_friction = 0;
+    const int deferred = c->friction.is_deferred;
+    c->friction.is_deferred = 0;
     for (int32_t i = 0; i < c->m->n_contacts && deferred; i++)
         if (is_closed(c, i) && c->m->contact_friction[i] >= 0)
             guess_friction(c, c->m->contact_friction[i]);

@@ -198,8 +198,8 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         return HOLONOM_BAD_STEP; /* its square must be a number, too */
     keep_state(&c, c.k.step_backup);
     if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) {
-        c.samples = !is_unilateral(m) && are_samples(&c, step);
-        if (!c.samples) forget_halves(&c);
+        c.laws.are_samples = !is_unilateral(m) && are_samples(&c, step);
+        if (!c.laws.are_samples) forget_halves(&c);
     }
     head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = head[S_AS_PAIRS] =
         0.0;
@@ -235,11 +235,11 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         && (blame_signal(&c, start + step, status ? 2 : 1) || blame_signal(&c, start, 2)))
         status = HOLONOM_BAD_DRIVER;
     if (status) {
-        if (!c.at_fault) blame_hardest(&c);
-        if (!c.at_fault) blame_worst(&c, status);
+        if (!c.step.at_fault) blame_hardest(&c);
+        if (!c.step.at_fault) blame_worst(&c, status);
         take_state(&c, c.k.step_backup);
         head[S_STATUS] = status;
-        head[S_AT_FAULT] = c.at_fault;
+        head[S_AT_FAULT] = c.step.at_fault;
         return status;
     }
     keep_functions(&c, is_unilateral(m) && !is_stepped(&c) && !repeated_by(&c));

@@ -147,7 +147,7 @@ static void begin_control(context *c)
                  rate =
                      hm_hypot(rate_of_motion(c), head[S_WANTED] > 0.0 ? 0.0 : rate_of_springs(c));
     const int may_be_explicit = may_step_explicitly(c), is_new = head[S_ORDER_IN_USE] == 0.0;
-    c->damped = is_dissipative(c);
+    c->step.damped = is_dissipative(c);
     c->last.longest_put_back = INFINITY;
     /* Pairs may be of any length: springs are looked at again where other steps come up. */
     const int are_pairs = head[S_ORDER_IN_USE] == 2.0 && head[S_EXPLICIT] == 0.0;
@@ -159,11 +159,11 @@ static void begin_control(context *c)
     if (head[S_EXPLICIT] != 0.0) head[S_ORDER_IN_USE] = is_new ? 8.0 : head[S_ORDER_IN_USE];
     else if (is_massless(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0 && (is_new || head[S_ORDER_IN_USE] != 2.0)) head[S_ORDER_IN_USE] = asked;
-    else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
+    else if (is_new) head[S_ORDER_IN_USE] = c->step.damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
     const double turned =
-        (c->damped ? 0.25 : 0.5) * hm_pow(c->tolerance, 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+        (c->step.damped ? 0.25 : 0.5) * hm_pow(c->tolerance, 1.0 / (head[S_ORDER_IN_USE] + 1.0));
     head[S_WANTED] = rate > 0.0 ? turned / rate : INFINITY;
 }
 
@@ -280,19 +280,19 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double law_time = c->number[c->m->time_at];
         piece x = {.t = start + done, .length = whole};
         c->t = x.t;
-        if (are_too_many(half_steps, n * c->halves, &calm, failed)) {
+        if (are_too_many(half_steps, n * c->step.halves, &calm, failed)) {
             if (is_unilateral(c->m) && may_step_over(failed))
                 return step_over(c, failed, start, done, step);
             return failed ? failed : HOLONOM_STEP_COLLAPSED;
         }
         c->last.finest = 0;
         c->last.shorter = 0.5;
-        c->damped = is_dissipative(c);
+        c->step.damped = is_dissipative(c);
         status = is_unilateral(c->m) ? stop_before(c, &x.length) : HOLONOM_OK;
         if (!status) status = stop_at_switch(c, &x, rest, step);
         if (status) return status;
         const int rejected = try_piece(c, &x, step);
-        half_steps += c->halves;
+        half_steps += c->step.halves;
         failed = x.status;
         if (rejected) {
             if (++repeats > MAX_REPEATS) return failed ? failed : HOLONOM_STEP_COLLAPSED;

@@ -161,7 +161,7 @@ HM_OFTEN void follow_coarseness(context *c, double h)
    with the order. */
 static int has_strong_dampers(const context *c)
 {
-    return c->damped && c->s.head[S_LONGEST_EXPLICIT] == 0.0 && may_step_explicitly(c);
+    return c->step.damped && c->s.head[S_LONGEST_EXPLICIT] == 0.0 && may_step_explicitly(c);
 }
 
 /* Largest of what functions and drivers read, an angle of many turns or a place far away, over 1
@@ -219,8 +219,8 @@ static int estimate_error(context *c, double h, step_error *e)
     e->mean = used->mean * (order == 2 ? freed * freed * freed : hm_pow(freed, order + 1));
     const double before_it = c->s.head[S_LAST_RATE];
     const int is_settled = has_strong_dampers(c);
-    const int is_slaved =
-        c->last.method != EXPLICIT && c->damped && may_step_explicitly(c) && h > longest_of(c, 8);
+    const int is_slaved = c->last.method != EXPLICIT && c->step.damped && may_step_explicitly(c)
+                          && h > longest_of(c, 8);
     if (c->last.method == COVERED && order > 4) { /* differences fall from order to order, and the
                                                      error falls as much once more */
         const double before = fmax(motion_error(c, x + c->s.n_motion),

@@ -100,7 +100,7 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
             if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i])))
                 return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
-        else c->may_fall_asleep |= is_far_enough(c, i, x.value[i]);
+        else c->view.may_fall_asleep |= is_far_enough(c, i, x.value[i]);
     }
     EACH_FRICTION(c, f) {
         const int mode = friction_mode(c, f);
@@ -336,7 +336,7 @@ static int begins_to_slide(const context *c, double *length)
     const event_values low = values_at(c, AT_LOW);
     const double shortest = FIRST_PIECE * usual_length(c);
     double most = INFINITY;
-    if (!c->sliding || !(c->s.head[S_ORDER_IN_USE] > 2.0)) return 0;
+    if (!c->friction.slides || !(c->s.head[S_ORDER_IN_USE] > 2.0)) return 0;
     for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++) {
         if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || low.rate[k] < 0.0)
             continue;
@@ -408,7 +408,7 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     *covered = h;
     c->event.function = -1;
     follow_travel(c, start_of_piece(c));
-    if (c->near[NEAR_CONTACTS]
+    if (c->view.near[NEAR_CONTACTS]
         && !(travel_left(c)
              > reach)) { /* what moves has become much faster: once more, with all awake */
         undo_piece(c, t, law_time);
@@ -419,7 +419,7 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
         reach = SAFE_WAYS * h * fastest_node(c);
     }
     if (!is_quiet(c, h, reach, low, high)) {
-        if (c->near[NEAR_CONTACTS]) forget_asleep(c, low);
+        if (c->view.near[NEAR_CONTACTS]) forget_asleep(c, low);
         status = event_functions(c, high);
         if (!status) status = find_event(c, t, law_time, h, covered);
         follow_travel(c, start_of_piece(c));

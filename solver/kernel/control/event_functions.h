@@ -184,7 +184,7 @@ static void keep_functions(context *c, int is_located)
     double *head = c->s.head;
     head[S_FUNCTIONS_KNOWN] = is_located && head[S_STEPPED] == 0.0 && head[S_SWITCHED] == 0.0;
     if (head[S_FUNCTIONS_KNOWN] == 0.0) return;
-    if (some_sleep(c) && !c->near[NEAR_CONTACTS]) head[S_FUNCTIONS_KNOWN] = 2.0;
+    if (some_sleep(c) && !c->view.near[NEAR_CONTACTS]) head[S_FUNCTIONS_KNOWN] = 2.0;
     const event_values low = values_at(c, AT_LOW);
     const int32_t n = c->m->n_contacts + c->m->n_frictions;
     for (int32_t k = 0; (k = next_function(c, k)) < n; k++) {

@@ -36,13 +36,13 @@ static double lowest_margin(const context *c, int32_t k, double t, double h, dou
     double x[3] = {0.0, NAN, h};
     const double ends[2] = {y[0], y[2]};
     double least = fmin(ends[0], ends[1]);
-    for (int32_t j = 0; j < c->n_kept_forces; j++) {
+    for (int32_t j = 0; j < c->step.n_kept_forces; j++) {
         const double at = c->k.kept_time[j] - t,
                      margin = force_margin(c, k, c->k.kept_forces + (int64_t)c->m->n_rows * j);
         if (at > 0.0 && at < h && margin < least) x[1] = at, least = y[1] = margin;
     }
     if (x[1] != x[1]) return NAN;
-    for (int32_t j = 0; j < c->n_kept_forces; j++) {
+    for (int32_t j = 0; j < c->step.n_kept_forces; j++) {
         const double at = c->k.kept_time[j] - t;
         const int later = at > x[1];
         if (at == x[1] || !(at > x[0] && at < x[2])) continue;

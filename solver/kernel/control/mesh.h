@@ -57,7 +57,7 @@ HM_SELDOM static void begin_row(context *c, double h)
     row[MESH_USUAL] = usual_length(c);
     row[MESH_ORDER] = head[S_ORDER_IN_USE];
     row[MESH_EXPLICIT] = head[S_EXPLICIT];
-    row[MESH_CAREFUL] = c->careful;
+    row[MESH_CAREFUL] = c->step.careful;
     row[MESH_KNOWN] = head[S_KNOWN];
     for (int k = 0; k < HOLONOM_AHEAD; k++)
         row[MESH_LOWERED + k] = x->ahead_of[k] == c->t ? x->ahead[k] : 0.0;

@@ -42,9 +42,9 @@ static int32_t take_again(context *c, const double *row, double h)
     head[S_ORDER_IN_USE] = row[MESH_ORDER];
     head[S_EXPLICIT] = row[MESH_EXPLICIT];
     head[S_KNOWN] = fmin(head[S_KNOWN], row[MESH_KNOWN]);
-    c->careful = row[MESH_CAREFUL] != 0.0;
+    c->step.careful = row[MESH_CAREFUL] != 0.0;
     c->last.finest = 0;
-    c->damped = is_dissipative(c);
+    c->step.damped = is_dissipative(c);
     if (row[MESH_LOWERED] != 0.0) lower_penalties(c);
     for (double k = 0.0; !status && k < row[MESH_PROJECTED]; k++)
         status = project_velocities(c, S_IMPACT);

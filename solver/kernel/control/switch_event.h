@@ -363,7 +363,7 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
 /* Blames a switch, by its number and 1, for a failure at it. */
 static int32_t blame_switch(context *c, int32_t status, int32_t k)
 {
-    if (status) c->at_fault = 1 + k;
+    if (status) c->step.at_fault = 1 + k;
     return status;
 }
 
@@ -419,7 +419,7 @@ HM_SELDOM static int32_t stop_at_switch(context *c, piece *x, double rest, doubl
     const double t = x->t, round = rounding_of_time(t, step);
     double stop;
     if (!c->m->switching) return HOLONOM_OK;
-    while ((stop = next_stop(c, t, c->start + step)) <= t + round) {
+    while ((stop = next_stop(c, t, c->laws.start + step)) <= t + round) {
         const int32_t status = pass_time(c, stop);
         if (status) return status;
     }

@@ -68,9 +68,9 @@ HM_SELDOM static void blame_worst(context *c, int32_t status)
                          || status == HOLONOM_TURN_TOO_LARGE;
     const int32_t row = of_rows ? worst_row(c) : -1,
                   node = row < 0 && of_nodes ? worst_node(c) : -1;
-    if (element >= 0) c->at_fault = 1 + c->m->n_rows + c->m->n_free + element;
-    else if (row >= 0) c->at_fault = 1 + row;
-    else if (node >= 0) c->at_fault = 1 + c->m->n_rows + node;
+    if (element >= 0) c->step.at_fault = 1 + c->m->n_rows + c->m->n_free + element;
+    else if (row >= 0) c->step.at_fault = 1 + row;
+    else if (node >= 0) c->step.at_fault = 1 + c->m->n_rows + node;
 }
 
 /* Blames a signal whose value, rate or second derivative at time t is not finite, of those up to an
@@ -84,7 +84,7 @@ HM_SELDOM static int blame_signal(context *c, double t, int orders)
     for (int32_t b = 0; b < c->m->n_signals; b++)
         for (int order = 0; order <= orders; order++)
             if (!(fabs(found[order][b]) < INFINITY)) {
-                c->at_fault = 1 + c->m->n_rows + c->n_moving + 3 * b + order;
+                c->step.at_fault = 1 + c->m->n_rows + c->n_moving + 3 * b + order;
                 return 1;
             }
     return 0;

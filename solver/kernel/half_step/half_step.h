@@ -9,8 +9,8 @@ static int begin_half(context *c, double h, int half)
 {
     const int parity = half % 2;
     c->h = h;
-    c->half = half;
-    c->foretells = 0;
+    c->step.half = half;
+    c->laws.foretells = 0;
     if (c->m->sensing) sense(c, h, parity);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
     signals_at(c, c->t + h, c->k.signal1);
@@ -31,9 +31,9 @@ enum { MOST_KEPT_FORCES = 16 }; /* of a step: the composition of order 8 has 15 
    ends (force_dips.h). */
 static void keep_forces(context *c, double time, const double *mu)
 {
-    if (!c->m->unilateral || c->n_kept_forces == MOST_KEPT_FORCES) return;
-    c->k.kept_time[c->n_kept_forces] = time;
-    memcpy(c->k.kept_forces + (int64_t)c->m->n_rows * c->n_kept_forces++, mu,
+    if (!c->m->unilateral || c->step.n_kept_forces == MOST_KEPT_FORCES) return;
+    c->k.kept_time[c->step.n_kept_forces] = time;
+    memcpy(c->k.kept_forces + (int64_t)c->m->n_rows * c->step.n_kept_forces++, mu,
            sizeof(double) * (size_t)c->m->n_rows);
 }
 

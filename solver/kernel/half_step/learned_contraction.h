@@ -24,11 +24,12 @@
 #define TRUSTED_AGAIN 0.05
 
 static inline double *learned(const context *c)
-{ return c->island + (is_lean(c) ? I_LEAN_CONTRACTION : I_BEND); }
+{ return c->view.scalars + (is_lean(c) ? I_LEAN_CONTRACTION : I_BEND); }
 
 static void learn_contraction(const context *c, const newton_record *r)
 {
-    if (r->increments != 2 || r->iteration != 1 || !r->kept || r->taken_over || !(r->begun > 0.0))
+    if (r->increments != 2 || r->iteration != 1 || !r->factors.kept || r->factors.taken_over
+        || !(r->begun > 0.0))
         return;
     const double contraction = r->eta / r->begun,
                  told = contraction / (is_lean(c) ? c->h * c->h : r->begun / r->size);
@@ -46,7 +47,7 @@ static void trust_less(const context *c) { *learned(c) = fmin(FADING * *learned(
 static double known_contraction(const context *c, double first, double size)
 {
     const double known = *learned(c);
-    if (!(known > 0.0) || (n_frictions(c->m) && !c->asleep)) return 1.0;
+    if (!(known > 0.0) || (n_frictions(c->m) && !c->view.asleep)) return 1.0;
     return fmin(is_lean(c) ? fmax(known * c->h * c->h, LEAST_LEAN_CONTRACTION)
                            : fmax(known, LEAST_BEND) * first / size,
                 1.0);

@@ -26,7 +26,7 @@ HM_SELDOM static int gives_energy(const context *c)
    take energy, too: gaps that close and slips that stop move in the half step. */
 static inline int account_of(const context *c, int32_t j, enum row_state state)
 {
-    const int32_t owner = c->stepping ? owner_of(c, j) : -1;
+    const int32_t owner = c->step.changes_contacts ? owner_of(c, j) : -1;
     if (state == ROW_IS_SLIDING || owner >= n_contacts(c->m)) return S_FRICTION;
     return owner < 0 ? S_DEFECT : S_IMPACT;
 }
@@ -67,10 +67,10 @@ static void book_step(context *c)
         defect += dot(c->k.mu + m->n_form_rows + DIM * j, du);
     }
     book(c, S_DEFECT, defect);
-    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++)
+    for (int32_t k = DIM * c->view.begin[ISLAND_FREE]; k < DIM * c->view.end[ISLAND_FREE]; k++)
         residual += move_of(c)[k] * (c->k.momentum[k] - c->k.handed_on[k]);
     book(c, S_RESIDUAL, residual / c->h);
-    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN];
+    for (int32_t k = DIM * c->view.begin[ISLAND_DRIVEN]; k < DIM * c->view.end[ISLAND_DRIVEN];
          k++) /* what moves driven nodes */
         book(c, S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
     for IN_ISLAND(c, j, ISLAND_LOAD) book(c, S_WORK, load_work(c, j));
@@ -173,7 +173,7 @@ static void accept_island(context *c, int parity)
         s->imbalance_before[k] = s->imbalance[k];
         s->imbalance[k] = handed ? c->k.momentum[k] : 0.0;
     }
-    for (int32_t j = c->begin[ISLAND_BODY]; HM_BODIES && j < c->end[ISLAND_BODY]; j++)
+    for (int32_t j = c->view.begin[ISLAND_BODY]; HM_BODIES && j < c->view.end[ISLAND_BODY]; j++)
         follow_orientation(c, j);
     if (!is_telling(c)) return;
     const int kept = n_kept(c);
@@ -181,13 +181,13 @@ static void accept_island(context *c, int parity)
     const history a = accelerations_so_far(c, parity), mu = multipliers_so_far(c, parity),
                   turn = turning_so_far(c, parity);
     EACH_COORDINATE(c, k) remember(kept, &a, per_step2 * c->k.w[k], k);
-    const double *next = c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT ? c->k.lambda : c->k.mu;
+    const double *next = c->view.scalars[I_DEPENDENT] == ROWS_ARE_DEPENDENT ? c->k.lambda : c->k.mu;
     EACH_ROW(c, i) remember(kept, &mu, next[i], i);
     EACH_TURN(c, b)
         for (int k = 0; k < TURNING; k++)
             remember(kept, &turn, turning_of_step(c, m->body_node[b], k), TURNING * b + k);
     const int32_t first = DIM * m->n_free;
-    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++)
+    for (int32_t k = DIM * c->view.begin[ISLAND_DRIVEN]; k < DIM * c->view.end[ISLAND_DRIVEN]; k++)
         s->driven[parity][k - first] = c->k.momentum[k] / c->h;
 }
 
@@ -202,7 +202,8 @@ static void accept_step(context *c, int parity)
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
-    c->rows_known = c->halves == 2 && (!is_unilateral(c->m) || (!c->stepping && are_all_off(c)));
+    c->step.rows_known = c->step.halves == 2
+                         && (!is_unilateral(c->m) || (!c->step.changes_contacts && are_all_off(c)));
     look_at_all(c);
     if (is_telling(c)) remember_length(c);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);

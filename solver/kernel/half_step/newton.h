@@ -23,9 +23,9 @@ HM_SELDOM static void contract_multipliers(const context *c, double *x)
     memset(c->k.rhs + first_pivot(c), 0, sizeof(double) * (size_t)(end_pivot(c) - first_pivot(c)));
     EACH_ROW(c, i)
         if (state_of_multiplier(c, i) != ROW_IS_SLIDING)
-            c->k.rhs[c->lu->row_position[i]] = -c->k.epsilon[i] * x[i];
+            c->k.rhs[c->factors.lu->row_position[i]] = -c->k.epsilon[i] * x[i];
     solve_factors(c);
-    EACH_ROW(c, i) x[i] = c->k.rhs[c->lu->row_position[i]];
+    EACH_ROW(c, i) x[i] = c->k.rhs[c->factors.lu->row_position[i]];
 }
 
 /* What two powers of P leave of multipliers differs by no more than so much of them where none of
@@ -74,7 +74,7 @@ HM_SELDOM static int leave_undetermined(const context *c, double *x, int all)
 static void clean_multipliers(context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
-    if (!leave_undetermined(c, c->k.lambda, 0)) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
+    if (!leave_undetermined(c, c->k.lambda, 0)) c->view.scalars[I_DEPENDENT] = ROWS_ARE_WEAK;
 }
 
 /* Takes from rows phi (modified) what dependent ones cannot meet together, whatever moves; row_bias
@@ -128,9 +128,9 @@ static void hand_on(context *c)
 /* Residuals with what was handed on. */
 static int32_t evaluate_balance(context *c)
 {
-    if (c->reads) read_the_step(c);
+    if (c->laws.reads) read_the_step(c);
     const int32_t status = evaluate_residual(c);
-    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++)
+    for (int32_t k = DIM * c->view.begin[ISLAND_FREE]; k < DIM * c->view.end[ISLAND_FREE]; k++)
         c->k.momentum[k] += c->k.handed_on[k];
     return status;
 }
@@ -159,8 +159,8 @@ static void choose_lambda(context *c, const newton_record *r)
     const int is_short = r->begun < NEARLY_THERE * r->size;
     const int is_enough =
         known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
-    c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm
-                                   && (c->asleep || !is_unilateral(c->m))
+    c->view.scalars[I_PREDICTS_LAMBDA] = r->increments > 0 && c->factors.firm
+                                   && (c->view.asleep || !is_unilateral(c->m))
                                    && (is_short || is_enough);
 }
 
@@ -168,7 +168,7 @@ static void choose_lambda(context *c, const newton_record *r)
    contract well enough. In space what they leave out costs as much as a dozen increments. */
 static int is_soft_enough(const context *c, const newton_record *r)
 {
-    return c->sliding && (r->increments == 0 || slides_in_space(c));
+    return c->friction.slides && (r->increments == 0 || slides_in_space(c));
 }
 
 /* Adds the increment in rhs; the squares of its size, and of that of d. */
@@ -181,18 +181,18 @@ HM_OFTEN void add_increment(const context *c, double *increment2, double *size2)
         const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
         if (a < m->n_free && !(has_turns(c) && m->node_kind[a])) {
-            const double *x = rhs + c->lu->node_position[a];
+            const double *x = rhs + c->factors.lu->node_position[a];
             EACH(k) w[k] += x[k];
             EACH(k) move_of(c)[DIM * a + k] = d[k] = c->k.hv[DIM * a + k] + w[k];
             *increment2 += mass * dot(x, x);
         } else if (a < m->n_free && m->node_kind[a] == NODE_DIRECTION) {
-            const double *spin = rhs + c->lu->node_position[a];
+            const double *spin = rhs + c->factors.lu->node_position[a];
             *increment2 += turning_norm2(c, a, spin, 1);
             change_turn(c, a, spin);
         }
         *size2 += mass * dot(d, d);
     }
-    EACH_ROW(c, i) c->k.mu[i] += rhs[c->lu->row_position[i]];
+    EACH_ROW(c, i) c->k.mu[i] += rhs[c->factors.lu->row_position[i]];
 }
 
 /* Solves for one Newton increment and adds it; its size, that of d, and what they are measured
@@ -202,7 +202,7 @@ static int32_t newton_update(context *c, newton_record *r)
     double increment2, size2;
     gather_rhs(c);
     solve_factors(c);
-    if (c->reads) follow_laws(c);
+    if (c->laws.reads) follow_laws(c);
     add_increment(c, &increment2, &size2);
     const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
     r->eta = sqrt(increment2);
@@ -217,13 +217,13 @@ static int32_t newton_update(context *c, newton_record *r)
 /* Takes the last increment back. */
 static void take_back(context *c)
 {
-    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
+    for (int32_t k = DIM * c->view.begin[ISLAND_FREE]; k < DIM * c->view.end[ISLAND_FREE]; k++) {
         if (has_turns(c) && c->m->node_kind[k / DIM]) continue;
-        c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
+        c->k.w[k] -= c->k.rhs[c->factors.lu->node_position[k / DIM] + k % DIM];
         move_of(c)[k] = c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
     EACH_TURN(c, b) undo_turn(c, c->m->body_node[b]);
-    EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
+    EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->factors.lu->row_position[i]];
 }
 
 /* Uzawa update of a nested iteration; the residual of the rows follows. */
@@ -240,7 +240,7 @@ static void hold_multipliers(context *c, newton_record *r)
 
 static int is_settling(const context *c, const newton_record *r)
 {
-    return r->increments >= 2 && r->theta < (c->unsettled < INFINITY ? 1.0 : BEGIN_TO_SETTLE);
+    return r->increments >= 2 && r->theta < (c->step.unsettled < INFINITY ? 1.0 : BEGIN_TO_SETTLE);
 }
 
 /* Newton's iteration with lambda held fixed: tangent, increment, residual; with early updates while
@@ -251,25 +251,25 @@ static int32_t iterate_newton(context *c, newton_record *r)
     r->previous = 0.0;
     for (r->iteration = 0; r->iteration < max_newton; r->iteration++) {
         int32_t status = HOLONOM_OK;
-        r->kept = may_keep_factors(c, r);
-        if (!r->kept) {
-            c->soft = is_soft_enough(c, r);
+        r->factors.kept = may_keep_factors(c, r);
+        if (!r->factors.kept) {
+            c->friction.soft = is_soft_enough(c, r);
             status = factorise(c);
-            c->firm = !status && rows_are_firm(c);
+            c->factors.firm = !status && rows_are_firm(c);
             c->secants.has_last = 0;
         }
         if (!status) status = newton_update(c, r);
         if (status) return status;
         judge_increment(c, r);
-        c->unsettled = is_settling(c, r) ? r->eta / fabs(c->h) : INFINITY;
+        c->step.unsettled = is_settling(c, r) ? r->eta / fabs(c->h) : INFINITY;
         if (is_misled(r)) take_back(c), c->secants.has_last = 0;
-        if (r->eta <= READ_ENOUGH * r->size) c->reads = 0;
+        if (r->eta <= READ_ENOUGH * r->size) c->laws.reads = 0;
         status = evaluate_balance(c);
         if (status) return status;
         if (has_converged(c, r)) return HOLONOM_OK;
         r->held = may_update_early(c, r);
         if (r->held) hold_multipliers(c, r);
-        if (r->slow) replace_factors(c, r);
+        if (r->factors.slow) replace_factors(c, r);
     }
     return outcome_at_limit(c, r);
 }

@@ -4,6 +4,12 @@
 
 #include "context.h"
 
+/* Of the factors at hand: whether there are any, served an earlier increment too, are those of the
+   half step before, and whether they are lean ones that contract too little. */
+typedef struct factor_use {
+    int made, kept, taken_over, slow;
+} factor_use;
+
 typedef struct newton_record {
     double theta;            /* contraction of the increments */
     double seen;             /* likewise, of the last ones that are larger than their round-off */
@@ -17,10 +23,7 @@ typedef struct newton_record {
     double energy,
         noise; /* reference energy, and kinetic energy of the round-off of positions [J] */
     int iteration;           /* number of the increment since the multipliers were held, from 0 */
-    int factorised;          /* whether there are factors of the tangent */
-    int kept;                /* whether they served an earlier increment too */
-    int taken_over;          /* whether they are those of the half step before */
-    int slow;                /* whether they are lean ones that contract too little */
+    factor_use factors;
     int held; /* whether the last increment was followed by an early update of the multipliers */
     int missed;              /* whether what dependent rows cannot meet together was accepted */
     int raised;              /* how often the penalty was raised */
@@ -29,6 +32,6 @@ typedef struct newton_record {
 
 /* Whether the increment is no good: a long first one of lean factors, whose stiffness was missing,
    tells nothing. */
-static inline int is_misled(const newton_record *r) { return r->slow && r->iteration == 0; }
+static inline int is_misled(const newton_record *r) { return r->factors.slow && r->iteration == 0; }
 
 #endif

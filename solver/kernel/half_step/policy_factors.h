@@ -14,10 +14,11 @@
    chains of bodies, and more loses for points. */
 static double price_of_factors(const context *c)
 {
-    const int32_t *begin = c->lu->lu_island + 4 * c->first_island,
-                  *end = c->lu->lu_island + 4 * c->last_island;
+    const int32_t *begin = c->factors.lu->lu_island + 4 * c->view.first,
+                  *end = c->factors.lu->lu_island + 4 * c->view.last;
     return (has_turns(c) ? 2.0 : 1.0)
-           + (double)(end[2] - begin[2]) / (1.0 + c->lu->lu_ptr[end[0]] - c->lu->lu_ptr[begin[0]]);
+           + (double)(end[2] - begin[2])
+                 / (1.0 + c->factors.lu->lu_ptr[end[0]] - c->factors.lu->lu_ptr[begin[0]]);
 }
 
 /* Whether fresh factors would spare more increments than they cost. The next increment is theta
@@ -31,8 +32,8 @@ static int would_pay(const context *c, const newton_record *r)
     const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta,
                  fresh = r->theta * next / r->first;
     double saved = 0.0, with_kept = next, with_fresh = next;
-    if (r->taken_over || is_lean(c) || c->island[I_DEPENDENT] != 0.0 || r->iteration < 2
-        || next <= goal)
+    if (r->factors.taken_over || is_lean(c) || c->view.scalars[I_DEPENDENT] != 0.0
+        || r->iteration < 2 || next <= goal)
         return 0;
     for (; r->theta * with_kept > goal && saved < 10.0; with_kept *= r->theta) saved += 1.0;
     for (; fresh * with_fresh > goal && saved > 0.0; with_fresh *= fresh) saved -= 1.0;
@@ -43,8 +44,8 @@ static int would_pay(const context *c, const newton_record *r)
    about them. */
 static inline int may_keep_factors(const context *c, const newton_record *r)
 {
-    if (!r->factorised || !hm_skips(SKIP_FACTORISATION)) return 0;
-    if (c->reads) return 1; /* what laws do tells nothing of the factors */
+    if (!r->factors.made || !hm_skips(SKIP_FACTORISATION)) return 0;
+    if (c->laws.reads) return 1; /* what laws do tells nothing of the factors */
     return r->theta < GOOD_CONTRACTION ? !would_pay(c, r)
                                        : r->iteration > 0 && r->eta < LAST_DIGITS * r->size;
 }
@@ -59,10 +60,10 @@ static inline int may_keep_factors(const context *c, const newton_record *r)
 
 static void choose_factors(context *c)
 {
-    double *island = c->island;
+    double *island = c->view.scalars;
     const int is_tried = c->m->n_lean_values
                          && island[I_DEPENDENT] == 0.0 && hm_skips(SKIP_STIFFNESS);
-    c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? lean_factors(c) : full_factors(c);
+    c->factors.lu = is_tried && island[I_FULL_STEPS] == 0.0 ? lean_factors(c) : full_factors(c);
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
 }
 
@@ -70,16 +71,17 @@ static void choose_factors(context *c)
    increment before it with the same ones, its size against the step's. */
 static void judge_increment(const context *c, newton_record *r)
 {
-    r->factorised = 1;
-    if (!r->kept) r->first = r->eta;
+    r->factors.made = 1;
+    if (!r->factors.kept) r->first = r->eta;
     if (r->increments == 1) r->begun = r->eta;
     if (r->iteration > 0 && r->previous > 0.0) r->theta = r->eta / r->previous;
-    else if (!r->kept) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
-    r->seen = r->kept && r->eta < LAST_DIGITS * r->size ? fmin(r->seen, r->theta) : r->theta;
+    else if (!r->factors.kept) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
+    r->seen =
+        r->factors.kept && r->eta < LAST_DIGITS * r->size ? fmin(r->seen, r->theta) : r->theta;
     learn_contraction(c, r);
-    if (!r->kept) r->known = known_contraction(c, r->first, r->size);
+    if (!r->factors.kept) r->known = known_contraction(c, r->first, r->size);
     r->previous = r->eta;
-    r->slow =
+    r->factors.slow =
         is_lean(c) && r->eta > r->floor && r->theta > (r->iteration > 0 ? LEAN_CONTRACTION : 0.5);
 }
 
@@ -97,12 +99,12 @@ static void pause_lean(double *island) { pause_way(island + I_FULL_STEPS, island
    step, and of one island. */
 static int take_factors_over(context *c, newton_record *r)
 {
-    double *island = c->island;
+    double *island = c->view.scalars;
     if (island[I_FRESH_STEPS] > 0.0) island[I_FRESH_STEPS] -= 1.0;
-    if (c->m->n_islands > 1 || c->kept_factors.h != c->h || c->kept_factors.lu != c->lu
+    if (c->m->n_islands > 1 || c->factors.kept_h != c->h || c->factors.kept_lu != c->factors.lu
         || island[I_FRESH_STEPS] > 0.0 || !hm_skips(SKIP_FRESH_FACTORS))
         return 0;
-    r->factorised = r->taken_over = 1;
+    r->factors.made = r->factors.taken_over = 1;
     r->known = 1.0;
     r->theta = 0.9 * GOOD_CONTRACTION;
     return 1;
@@ -112,23 +114,23 @@ static int take_factors_over(context *c, newton_record *r)
    ones. */
 static void replace_factors(context *c, newton_record *r)
 {
-    if (!r->taken_over) {
-        pause_lean(c->island);
-        c->lu = full_factors(c);
+    if (!r->factors.taken_over) {
+        pause_lean(c->view.scalars);
+        c->factors.lu = full_factors(c);
     }
-    r->factorised = r->taken_over = 0;
+    r->factors.made = r->factors.taken_over = 0;
     r->theta = 1.0;
 }
 
 /* What a half step tells of the factors that it used, for the next one. */
 static void judge_factors(context *c, const newton_record *r, int began_with_old)
 {
-    double *island = c->island;
-    if (began_with_old && r->increments > c->kept_factors.increments)
+    double *island = c->view.scalars;
+    if (began_with_old && r->increments > c->factors.kept_increments)
         pause_way(island + I_FRESH_STEPS, island + I_FRESH_WAIT);
-    if (!began_with_old) c->kept_factors.increments = r->increments;
-    c->kept_factors.h = r->factorised && !r->raised ? c->h : 0.0;
-    c->kept_factors.lu = c->lu;
+    if (!began_with_old) c->factors.kept_increments = r->increments;
+    c->factors.kept_h = r->factors.made && !r->raised ? c->h : 0.0;
+    c->factors.kept_lu = c->factors.lu;
     if (is_lean(c) && !began_with_old && r->increments > LEAN_INCREMENTS) pause_lean(island);
 }
 

@@ -12,7 +12,7 @@ static int raise_penalty(context *c, newton_record *r)
 {
     if (r->raised >= 2) return 0;
     r->raised += 1;
-    r->factorised = 0;
+    r->factors.made = 0;
     r->theta = 1.0;
     EACH_ROW(c, i) c->k.epsilon[i] *= 1e-3;
     return 1;
@@ -49,8 +49,10 @@ enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK, ROWS_CONTRADICT 
 static int may_update_early(const context *c, const newton_record *r)
 {
     if (r->theta >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
-    const double rows = c->island[I_DEPENDENT];
-    if (rows == ROWS_ARE_INDEPENDENT && is_unilateral(c->m) && !c->stepping && !c->asleep) return 0;
+    const double rows = c->view.scalars[I_DEPENDENT];
+    if (rows == ROWS_ARE_INDEPENDENT && is_unilateral(c->m) && !c->step.changes_contacts
+        && !c->view.asleep)
+        return 0;
     const int is_short = r->iteration == 0 && r->eta < SHORT_INCREMENT * r->size;
     if (rows != ROWS_ARE_INDEPENDENT && r->iteration != 1
         && !(rows == ROWS_ARE_DEPENDENT && is_short))
@@ -68,7 +70,7 @@ static int may_update_early(const context *c, const newton_record *r)
    1/N^2 in long chains (theory 3.6). */
 static void start_penalty(const context *c, double left)
 {
-    double penalty = c->s.head[S_PENALTY], *level = c->island + I_PENALTY_LEVEL;
+    double penalty = c->s.head[S_PENALTY], *level = c->view.scalars + I_PENALTY_LEVEL;
     if (!hm_skips(SKIP_LOW_PENALTY)) return;
     *level = 0.0;
     for (; left > GOOD_UPDATE * penalty && *level < MOST_LEVELS && 1e2 * penalty <= LARGEST_RAISED;

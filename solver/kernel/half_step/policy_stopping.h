@@ -34,8 +34,8 @@ static double residual_energy(const context *c)
 {
     double sum = 0.0;
     if (!HOLONOM_ENERGY_DECIDES) return 0.0;
-    const int32_t end = DIM * c->end[ISLAND_FREE];
-    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < end; k++)
+    const int32_t end = DIM * c->view.end[ISLAND_FREE];
+    for (int32_t k = DIM * c->view.begin[ISLAND_FREE]; k < end; k++)
         sum += move_of(c)[k] * c->k.momentum[k];
     return fabs(sum / c->h); /* h < 0 in the parts of a composition that go back */
 }
@@ -55,7 +55,7 @@ static double constraint_defect(const context *c) { return largest_row(c, c->k.p
    increments and where round-off hides it, by that which earlier steps tell. */
 static inline double increments_left(const context *c, const newton_record *r)
 {
-    const int told = r->iteration > 0 || (r->kept && r->increments > 1);
+    const int told = r->iteration > 0 || (r->factors.kept && r->increments > 1);
     const double shown = told ? r->seen : 1.0;
     return (told && r->eta > ROUND_OFF_SHOWS(c) * r->size ? shown : fmin(shown, r->known)) * r->eta;
 }
@@ -83,7 +83,7 @@ static inline double allowed_energy(const context *c, const newton_record *r)
 static int has_converged(const context *c, const newton_record *r)
 {
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE],
-                 margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
+                 margin = r->factors.taken_over ? OLD_MARGIN : NEWTON_MARGIN;
     const int stalled =
         r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
     const int is_short = increments_left(c, r) <= margin * r->target && !is_misled(r);

@@ -11,15 +11,15 @@
 
 /* Half steps that the polynomial goes through. Parts of a composition differ in length, and what
    they jump by with it: more than a line would only enlarge that. */
-static inline int n_followed(const context *c) { return c->halves == 2 ? 4 : 2; }
+static inline int n_followed(const context *c) { return c->step.halves == 2 ? 4 : 2; }
 
 /* Of how many internal steps before it the misses are known and used, the last one or a line
    through two; 0 leaves the values of the same half of the last pair. */
 static int known_misses(const context *c)
 {
     const double known = hm_skips(SKIP_OLD_GUESS) ? c->s.head[S_KNOWN] - n_followed(c) : 0.0;
-    if (c->halves > c->m->n_slots || known < c->halves) return 0;
-    return 2 * c->halves <= c->m->n_slots && known >= 2 * c->halves ? 2 : 1;
+    if (c->step.halves > c->m->n_slots || known < c->step.halves) return 0;
+    return 2 * c->step.halves <= c->m->n_slots && known >= 2 * c->step.halves ? 2 : 1;
 }
 
 /* Lengths that differ by less are the same: times of communication points are rounded. */
@@ -58,14 +58,14 @@ static void find_weights(const context *c, int n, double *weight)
 static void set_weights(context *c)
 {
     static const double by_pairs[4] = {0.0, 2.0, 0.0, -1.0};
-    if (c->samples) {
-        memcpy(c->weight, by_pairs, sizeof by_pairs);
-        memcpy(c->parabola, by_pairs, sizeof by_pairs);
+    if (c->laws.are_samples) {
+        memcpy(c->step.weight, by_pairs, sizeof by_pairs);
+        memcpy(c->step.parabola, by_pairs, sizeof by_pairs);
         return;
     }
-    find_weights(c, n_followed(c), c->weight);
-    if (n_followed(c) > 3) find_weights(c, 3, c->parabola);
-    else memcpy(c->parabola, c->weight, sizeof c->weight);
+    find_weights(c, n_followed(c), c->step.weight);
+    if (n_followed(c) > 3) find_weights(c, 3, c->step.parabola);
+    else memcpy(c->step.parabola, c->step.weight, sizeof c->step.weight);
 }
 
 /* Values of the last four half steps, the last one first, their weights, and what the polynomial
@@ -78,26 +78,27 @@ typedef struct history {
 static inline history so_far(const context *c, int parity, const double *weight,
                              double *const *pair, double *const *before, double *missed, int64_t n)
 {
-    double *now = missed + n * c->half;
+    double *now = missed + n * c->step.half;
     return (history){weight, pair[1 - parity],   pair[parity], before[1 - parity], before[parity],
-                     now,    now + n * c->halves};
+                     now,    now + n * c->step.halves};
 }
 
 /* Accelerations, multipliers, and angular accelerations of bodies. */
 static inline history accelerations_so_far(const context *c, int parity)
 {
-    return so_far(c, parity, c->weight, c->s.a, c->s.a_before, c->s.a_missed, DIM * c->n_moving);
+    return so_far(c, parity, c->step.weight, c->s.a, c->s.a_before, c->s.a_missed,
+                  DIM * c->n_moving);
 }
 
 static inline history multipliers_so_far(const context *c, int parity)
 {
-    const double *weight = c->island[I_DEPENDENT] != 0.0 ? c->parabola : c->weight;
+    const double *weight = c->view.scalars[I_DEPENDENT] != 0.0 ? c->step.parabola : c->step.weight;
     return so_far(c, parity, weight, c->s.mu, c->s.mu_before, c->s.mu_missed, c->m->n_rows);
 }
 
 static inline history turning_so_far(const context *c, int parity)
 {
-    return so_far(c, parity, c->weight, c->s.turn, c->s.turn_before, c->s.turn_missed,
+    return so_far(c, parity, c->step.weight, c->s.turn, c->s.turn_before, c->s.turn_missed,
                   TURNING * (int64_t)n_bodies(c->m));
 }
 
@@ -119,7 +120,7 @@ static inline double predicted(int reach, const history *x, int64_t i)
 /* How many misses of a half the state keeps: none, that of this internal step, or that of the one
    before it too. */
 static inline int n_kept(const context *c)
-{ return (c->halves <= c->m->n_slots) + (2 * c->halves <= c->m->n_slots); }
+{ return (c->step.halves <= c->m->n_slots) + (2 * c->step.halves <= c->m->n_slots); }
 
 /* Takes over value i, which has just been solved for, and what was missed, of which `kept` are. */
 static inline void remember(int kept, const history *x, double fresh, int64_t i)
@@ -147,9 +148,9 @@ static void forget_halves(context *c) { c->s.head[S_KNOWN] = 0.0; }
 static void begin_halves(context *c, int halves)
 {
     if (c->s.head[S_HALVES] != halves) forget_halves(c);
-    c->s.head[S_HALVES] = c->halves = halves;
-    c->kept_factors.h = 0.0;
-    c->rows_known = 0;
+    c->s.head[S_HALVES] = c->step.halves = halves;
+    c->factors.kept_h = 0.0;
+    c->step.rows_known = 0;
 }
 
 #endif

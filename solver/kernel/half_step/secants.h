@@ -23,9 +23,10 @@ enum { MOST_SECANTS = 12 };
 HM_SELDOM static double product_of_increments(const context *c, const double *x, const double *y)
 {
     double sum = 0.0;
-    for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a)) {
+    for (int32_t a = c->view.begin[ISLAND_FREE]; a < c->view.end[ISLAND_FREE];
+         a = next_unknown(c, a)) {
         const double mass = c->number[c->m->node_mass_at + a] * (is_director(c, a) ? DIM - 1 : 1);
-        for (int32_t i = c->lu->node_position[a], k = 0; k < unknown_size(c, a); k++)
+        for (int32_t i = c->factors.lu->node_position[a], k = 0; k < unknown_size(c, a); k++)
             sum += mass * x[i + k] * y[i + k];
     }
     return sum;
@@ -63,9 +64,10 @@ HM_SELDOM static void follow_laws(context *c)
 {
     const int32_t n = end_pivot(c);
     double *kept = c->k.secants, *last = kept + 2 * MOST_SECANTS * n, *g = c->k.rhs;
-    if (c->secants.h != c->h || c->secants.lu != c->lu) c->secants.count = c->secants.has_last = 0;
+    if (c->secants.h != c->h || c->secants.lu != c->factors.lu)
+        c->secants.count = c->secants.has_last = 0;
     c->secants.h = c->h;
-    c->secants.lu = c->lu;
+    c->secants.lu = c->factors.lu;
     if (c->secants.has_last) learn_secant(c, g);
     memcpy(last, g, sizeof(double) * (size_t)n);
     for (int32_t j = 0; j < c->secants.count && j < MOST_SECANTS; j++) {

@@ -42,7 +42,7 @@ static void form_rows_at_state(const context *c, int exact)
    than the coordinates. */
 static void rows_at_start(context *c, int exact)
 {
-    if (exact && c->rows_known && c->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT)
+    if (exact && c->step.rows_known && c->view.scalars[I_DEPENDENT] == ROWS_ARE_INDEPENDENT)
         EACH_ROW(c, i) c->k.phi0[i] = c->k.phi[i];
     else form_rows_at_state(c, exact);
     EACH_ROW_OF_KIND(c, j, ISLAND_FUNCTION)
@@ -50,7 +50,7 @@ static void rows_at_start(context *c, int exact)
                                       ? function_value(c, j) - reference_of(c, j)
                                       : 0.0;
     EACH_ROW_OF_KIND(c, j, ISLAND_VELOCITY)
-        c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;
+        c->k.phi0[row_of(c, j)] = c->step.changes_contacts ? -c->k.stop[row_of(c, j)] : 0.0;
 }
 
 #define MOST_TURNED 2.5 /* rad */
@@ -84,12 +84,12 @@ static void begin_unknowns(const context *c, int parity, int reach)
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
 {
-    c->reads = reads_the_step(c);
+    c->laws.reads = reads_the_step(c);
     c->secants.has_last = 0;
-    c->unsettled = INFINITY;
+    c->step.unsettled = INFINITY;
     const holonom_model *m = c->m;
     const double h = c->h;
-    EACH_TURN(c, b) if (c->half == 0) straighten(c, m->body_node[b]);
+    EACH_TURN(c, b) if (c->step.half == 0) straighten(c, m->body_node[b]);
     links_at_start(c);
     const int reach = known_misses(c);
     const history a = accelerations_so_far(c, parity), mu = multipliers_so_far(c, parity);
@@ -100,14 +100,14 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
     const int32_t first = DIM * m->n_free;
-    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN];
+    for (int32_t k = DIM * c->view.begin[ISLAND_DRIVEN]; k < DIM * c->view.end[ISLAND_DRIVEN];
          k++) { /* go where they must */
         c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
     if (has_turns(c)) begin_unknowns(c, parity, reach);
-    rows_at_start(c, is_telling(c) || c->stepping);
-    const double rows = c->island[I_DEPENDENT];
+    rows_at_start(c, is_telling(c) || c->step.changes_contacts);
+    const double rows = c->view.scalars[I_DEPENDENT];
     const double compliance = compliance_over_sigma(c),
                  kept = rows == ROWS_ARE_WEAK ? 1.0 - FORGOTTEN : 1.0;
     EACH_ROW(c, i) {
@@ -117,8 +117,9 @@ static void prepare_step(context *c, int parity)
     /* Lambda is predicted, too, with dependent rows, whose multipliers clean_multipliers has
        cleaned, and where choose_lambda says so. Else it is the last one: near a singular
        configuration a prediction would amplify what the rows leave undetermined. */
-    const int follows = rows == ROWS_ARE_DEPENDENT
-                        || (rows == ROWS_ARE_INDEPENDENT && c->island[I_PREDICTS_LAMBDA] != 0.0);
+    const int follows =
+        rows == ROWS_ARE_DEPENDENT
+        || (rows == ROWS_ARE_INDEPENDENT && c->view.scalars[I_PREDICTS_LAMBDA] != 0.0);
     if (!follows) update_multipliers(c);
     if (rows == ROWS_ARE_WEAK) return;
     EACH_ROW(c, i) c->k.mu[i] = predicted(reach, &mu, i);
@@ -129,7 +130,7 @@ static void prepare_step(context *c, int parity)
    penalty, which multiplies what they miss, is not raised then. */
 static int miss_together(const context *c, newton_record *r)
 {
-    if (c->island[I_DEPENDENT] != ROWS_CONTRADICT || r->raised || r->missed) return 0;
+    if (c->view.scalars[I_DEPENDENT] != ROWS_CONTRADICT || r->raised || r->missed) return 0;
     if (!accept_contradiction(c)) return 0;
     r->missed = 1;
     r->updates++;
@@ -176,10 +177,10 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     judge_factors(c, r, began_with_old);
     choose_lambda(c, r);
     if (r->increments == 1) trust_less(c);
-    if (!status && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) clean_multipliers(c);
+    if (!status && c->view.scalars[I_DEPENDENT] == ROWS_ARE_DEPENDENT) clean_multipliers(c);
     total->increments += r->increments;
     total->updates += r->updates;
-    if (!status && !r->raised) follow_contraction(c->island, r->increments, updates);
+    if (!status && !r->raised) follow_contraction(c->view.scalars, r->increments, updates);
     return status;
 }
 
@@ -193,8 +194,8 @@ static inline newton_record nothing_seen(const context *c)
 /* Another try of the step, with new factors. */
 HM_SELDOM static int32_t try_again(context *c, int parity, newton_record *r, effort *total)
 {
-    c->kept_factors.h = 0.0;
-    c->rows_known = 0;
+    c->factors.kept_h = 0.0;
+    c->step.rows_known = 0;
     *r = nothing_seen(c);
     prepare_step(c, parity);
     return try_step(c, 0, r, total);
@@ -204,7 +205,7 @@ HM_SELDOM static int32_t try_again(context *c, int parity, newton_record *r, eff
 static int32_t solve_island(context *c, int parity, effort *total)
 {
     newton_record r = nothing_seen(c);
-    const double level = c->island[I_PENALTY_LEVEL];
+    const double level = c->view.scalars[I_PENALTY_LEVEL];
     if (is_unilateral(c->m)) leave_rows_out(c);
     prepare_step(c, parity);
     hand_on(c);
@@ -213,11 +214,11 @@ static int32_t solve_island(context *c, int parity, effort *total)
     int32_t status = try_step(c, began_with_old, &r, total);
     if (status && began_with_old)
         status = try_again(c, parity, &r, total); /* old factors may have led astray */
-    double *rows = c->island + I_DEPENDENT;
+    double *rows = c->view.scalars + I_DEPENDENT;
     if (status && !known_misses(c) && *rows != ROWS_ARE_INDEPENDENT && *rows != ROWS_CONTRADICT) {
         /* Dependent rows may contradict each other; a penalty would multiply what they miss. */
         *rows = ROWS_CONTRADICT;
-        c->island[I_PENALTY_LEVEL] = level;
+        c->view.scalars[I_PENALTY_LEVEL] = level;
         status = try_again(c, parity, &r, total);
     }
     return status;
@@ -247,7 +248,7 @@ static int32_t solve_step(context *c, int parity)
         look_at_part(c, part, parts);
         status = solve_island(c, parity, &own);
         if (status && reads_the_step(c)) {
-            c->foretells = 1;
+            c->laws.foretells = 1;
             sense(c, c->h, parity);
             hm_run_tape(c->m, c->number, 1);
             status = solve_island(c, parity, &own);

@@ -62,7 +62,7 @@ static void composite_stiffness(const context *c, int32_t j, int32_t size)
     for (int32_t i = 0; i < forms; i++) {
         const int32_t f = m->composite_form[m->composite_form_ptr[j] + i], begin = m->form_ptr[f];
         add_curves(c, i, forms, size);
-        const double factor = c->theta * c->k.slope[i];
+        const double factor = c->step.theta * c->k.slope[i];
         for (int32_t p = 0; p < m->form_free[f] && !(m->form_kind[f] & FORM_LINEAR); p++)
             for (int32_t q = 0; q < m->form_free[f]; q++) {
                 double same, quarter,
@@ -93,14 +93,15 @@ static int32_t composite_tangent(const context *c, double *value)
     const holonom_model *m = c->m;
     int32_t before = -1, size = 0;
     EACH_COMPOSITE(c, j) {
-        const int32_t *slot = c->lu->composite_slot + c->lu->composite_slot_ptr[j];
+        const int32_t *slot = c->factors.lu->composite_slot + c->factors.lu->composite_slot_ptr[j];
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j],
                       row = is_row(c, j);
         composite_result result = {0.0, 0.0, 0.0};
         const enum row_state state = state_of_row(c, j);
-        if (((is_lean(c) || c->constraints_only) && !row) || state == ROW_IS_OFF) continue;
+        if (((is_lean(c) || c->step.constraints_only) && !row) || state == ROW_IS_OFF) continue;
         const double factor = row ? c->h * c->k.mu[row_of(c, j)] : c->h;
-        const int is_stiff = !is_lean(c) && factor != 0.0 && !(c->soft && state == ROW_IS_SLIDING);
+        const int is_stiff =
+            !is_lean(c) && factor != 0.0 && !(c->friction.soft && state == ROW_IS_SLIDING);
         const int asked = is_stiff ? WITH_STIFFNESS : WITH_ENDS,
                   is_next = is_next_slip(c, before, j, asked);
         const int32_t status = next_slopes(c, is_next, j, asked, &result);
@@ -119,7 +120,7 @@ static int32_t composite_tangent(const context *c, double *value)
         for (int32_t k = 0; k < size && row && state == ROW_IS_ON; k++, slot++)
             for (int32_t f = 0; f < forms; f++)
                 value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
-        if (state == ROW_IS_SLIDING && !c->at_state) turning_tangent(c, j, size, value);
+        if (state == ROW_IS_SLIDING && !c->step.at_state) turning_tangent(c, j, size, value);
     }
     if (n_frictions(c->m)) cone_tangent(c, value);
     return HOLONOM_OK;
@@ -128,7 +129,8 @@ static int32_t composite_tangent(const context *c, double *value)
 static int32_t law_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
-    const int32_t *slot = c->lu->moment_slot + c->lu->moment_slot_ptr[c->begin[ISLAND_MOMENT]];
+    const int32_t *slot =
+        c->factors.lu->moment_slot + c->factors.lu->moment_slot_ptr[c->view.begin[ISLAND_MOMENT]];
     double block[DIM * DIM];
     motion g;
     for IN_ISLAND(c, j, ISLAND_MOMENT) {
@@ -138,12 +140,13 @@ static int32_t law_tangent(const context *c, double *value)
         if (status) return status;
         slot = scatter_block(c, m->moment_form[j], -c->h, block, slot, value);
     }
-    slot = c->lu->load_slot + c->lu->load_slot_ptr[c->begin[ISLAND_LOAD]];
+    slot = c->factors.lu->load_slot + c->factors.lu->load_slot_ptr[c->view.begin[ISLAND_LOAD]];
     for IN_ISLAND(c, j, ISLAND_LOAD) slot = load_tangent(c, j, slot, value);
 #if DIM == 3
     for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) {
-        const int32_t status = body_moment_tangent(c, j, c->lu->body_moment_slot + 81 * j, value);
-        if (status) return status;
+            const int32_t status =
+                body_moment_tangent(c, j, c->factors.lu->body_moment_slot + 81 * j, value);
+            if (status) return status;
     }
 #endif
     return HOLONOM_OK;
@@ -151,23 +154,24 @@ static int32_t law_tangent(const context *c, double *value)
 
 /* Pivots of the islands at hand. */
 static inline int32_t first_pivot(const context *c)
-{ return c->lu->lu_island[4 * c->first_island]; }
-static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[4 * c->last_island]; }
+{ return c->factors.lu->lu_island[4 * c->view.first]; }
+static inline int32_t end_pivot(const context *c)
+{ return c->factors.lu->lu_island[4 * c->view.last]; }
 
 /* Rows that are left out: the pivot -1, no couplings, the right-hand side 0. */
 static void set_rows_apart(const context *c, double *value)
 {
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         for IN_ISLAND(c, j, k) {
-            const int32_t place = c->lu->row_position[row_of(c, j)];
+            const int32_t place = c->factors.lu->row_position[row_of(c, j)];
             if (state_of_row(c, j) != ROW_IS_OFF) continue;
-            value[c->lu->lu_ptr[place]] = -1.0;
+            value[c->factors.lu->lu_ptr[place]] = -1.0;
             c->k.rhs[place] = 0.0;
         }
 }
 
 /* Of masses in residual and tangent: 2/h in a step, 1 at a state, where `h` is 1. */
-static inline double mass_factor(const context *c) { return c->at_state ? 1.0 : 2.0 / c->h; }
+static inline double mass_factor(const context *c) { return c->step.at_state ? 1.0 : 2.0 / c->h; }
 
 /* momentum = factor M x over the moving nodes, the inertia term of the residual. */
 static void inertia(const context *c, double factor, const double *x, double *momentum)
@@ -194,11 +198,12 @@ static void inertia_tangent(const context *c, double *value)
     inertia(c, mass_factor(c), c->k.middle, y);
     EACH_TURN(c, b) {
         const int32_t at = DIM * c->m->body_node[b],
-                      *slot = c->lu->inertia_slot + TURNING * TURNING * b;
+                      *slot = c->factors.lu->inertia_slot + TURNING * TURNING * b;
         double *x = c->k.bend + at;
         for (int i = at; i < at + DIM * TURNING; i += DIM) {
             double own[DIM];
-            EACH(k) own[k] = y[i + k] - (c->at_state ? 0.0 : c->theta * c->k.nodal[i + k]);
+            EACH(k)
+                own[k] = y[i + k] - (c->step.at_state ? 0.0 : c->step.theta * c->k.nodal[i + k]);
             add_turning(1.0, own, c->k.turned + i, x);
         }
         scatter(TURNING * TURNING, x, slot, value);
@@ -211,27 +216,29 @@ static int32_t assemble_tangent(const context *c)
     const holonom_model *m = c->m;
     double *value = c->k.value;
     const double factor = mass_factor(c);
-    const int32_t first = c->lu->lu_ptr[first_pivot(c)];
-    memset(value + first, 0, sizeof(double) * (size_t)(c->lu->lu_ptr[end_pivot(c)] - first));
-    for (int32_t e = c->begin[ISLAND_MASS]; e < c->end[ISLAND_MASS] && e < m->n_mass_free; e++)
+    const int32_t first = c->factors.lu->lu_ptr[first_pivot(c)];
+    memset(value + first, 0,
+           sizeof(double) * (size_t)(c->factors.lu->lu_ptr[end_pivot(c)] - first));
+    for (int32_t e = c->view.begin[ISLAND_MASS]; e < c->view.end[ISLAND_MASS] && e < m->n_mass_free;
+         e++)
         EACH(k)
-            if (c->lu->mass_slot[DIM * e + k] >= 0)
-                value[c->lu->mass_slot[DIM * e + k]] += factor * c->number[m->mass_at + e];
+            if (c->factors.lu->mass_slot[DIM * e + k] >= 0)
+                value[c->factors.lu->mass_slot[DIM * e + k]] += factor * c->number[m->mass_at + e];
     clear_bodies(c, c->k.bend, TURNING * TURNING);
     EACH_FORM_ROW(c, i) {
-        const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
+        const int32_t *slot = c->factors.lu->row_slot + c->factors.lu->row_slot_ptr[i];
         if (has_turns(c) || !is_square_row(c, i)) row_tangent(c, i, slot, value);
         else square_row_tangent(c, i, slot, value);
     }
     if (has_turns(c)) inertia_tangent(c, value);
-    const int32_t *slot =
-        c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
+    const int32_t *slot = c->factors.lu->coincidence_slot
+                          + c->factors.lu->coincidence_slot_ptr[c->view.begin[ISLAND_COINCIDENCE]];
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE)
         slot = coincidence_tangent(c, j, slot, value);
-    EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
-    if (c->left_out && !is_open(c)) set_rows_apart(c, value);
-    const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
-    return status || c->constraints_only || is_lean(c) ? status : law_tangent(c, value);
+    EACH_ROW(c, i) value[c->factors.lu->lu_ptr[c->factors.lu->row_position[i]]] -= c->k.epsilon[i];
+    if (c->view.left_out && !is_open(c)) set_rows_apart(c, value);
+    const int32_t status = c->view.composites ? composite_tangent(c, value) : HOLONOM_OK;
+    return status || c->step.constraints_only || is_lean(c) ? status : law_tangent(c, value);
 }
 
 /* Composites' part of the residual. */
@@ -244,7 +251,7 @@ static int32_t add_composites(const context *c)
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
         composite_result result = {0.0, 0.0, 0.0};
         const enum row_state state = state_of_row(c, j);
-        if (row < 0 && c->constraints_only) continue;
+        if (row < 0 && c->step.constraints_only) continue;
         if (state == ROW_IS_OFF) {
             c->k.phi[row] = 0.0;
             continue;
@@ -260,7 +267,7 @@ static int32_t add_composites(const context *c)
         if (row >= 0) {
             c->k.phi[row] =
                 result.row
-                + (is_seeking(c) || (j >= first_velocity_row(c) && !c->stepping) ? 0.0
+                + (is_seeking(c) || (j >= first_velocity_row(c) && !c->step.changes_contacts) ? 0.0
                                                                                  : c->k.phi0[row]);
             factor *= c->k.mu[row];
             c->k.change[row] = result.change;
@@ -288,7 +295,8 @@ static int32_t nodal_residual(const context *c)
     clear_bodies(c, c->k.torque, TURNING);
     EACH_FORM_ROW(c, i) {
         motion g;
-        if (c->at_state && c->k.mu[i] == 0.0) continue; /* rows of a state are not asked for here */
+        if (c->step.at_state && c->k.mu[i] == 0.0)
+            continue; /* rows of a state are not asked for here */
         if (is_axes_row(c, i)) {
             axes_row_residual(c, i);
             continue;
@@ -303,13 +311,13 @@ static int32_t nodal_residual(const context *c)
     }
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         const int32_t row = m->n_form_rows + DIM * j;
-        if (c->at_state && dot(c->k.mu + row, c->k.mu + row) == 0.0) continue;
+        if (c->step.at_state && dot(c->k.mu + row, c->k.mu + row) == 0.0) continue;
         coincidence_function(c, j, c->k.phi0 + row, c->k.phi + row);
         add_link_force(c, m->coincidence_form[j], c->h, c->k.mu + row, c->k.momentum);
     }
-    const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
+    const int32_t status = c->view.composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
-    return c->constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
+    return c->step.constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
 }
 
 /* Likewise over the unknowns. */
@@ -331,26 +339,26 @@ static inline double row_residual(const context *c, int32_t i)
 /* The nodes' part of the right-hand side -(momentum, rows) in elimination order. */
 static void gather_momentum(const context *c)
 {
-    for (int32_t a = c->begin[ISLAND_FREE]; !has_turns(c) && a < c->end[ISLAND_FREE]; a++)
-        EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
-    for (int32_t a = c->begin[ISLAND_FREE]; has_turns(c) && a < c->end[ISLAND_FREE];
+    for (int32_t a = c->view.begin[ISLAND_FREE]; !has_turns(c) && a < c->view.end[ISLAND_FREE]; a++)
+        EACH(k) c->k.rhs[c->factors.lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
+    for (int32_t a = c->view.begin[ISLAND_FREE]; has_turns(c) && a < c->view.end[ISLAND_FREE];
          a = next_unknown(c, a))
         for (int k = 0; k < unknown_size(c, a); k++)
-            c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
+            c->k.rhs[c->factors.lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
 }
 
 static void gather_rhs(const context *c)
 {
     gather_momentum(c);
-    EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -row_residual(c, i);
+    EACH_ROW(c, i) c->k.rhs[c->factors.lu->row_position[i]] = -row_residual(c, i);
 }
 
 /* Adds what was solved for, one vector a free node, to x (DIM n_free, modified); directors at the
    end turn with their body. */
 static void add_solution(const context *c, double *x)
 {
-    for (int32_t a = c->begin[ISLAND_FREE], next; a < c->end[ISLAND_FREE]; a = next) {
-        const double *own = c->k.rhs + c->lu->node_position[a];
+    for (int32_t a = c->view.begin[ISLAND_FREE], next; a < c->view.end[ISLAND_FREE]; a = next) {
+        const double *own = c->k.rhs + c->factors.lu->node_position[a];
         next = next_unknown(c, a);
         for (int32_t k = DIM * a; k < DIM * next; k += DIM) {
             double turned[DIM];
@@ -367,7 +375,7 @@ static inline int is_mostly_empty(const context *c)
 static inline live_pivots live_pivots_of(const context *c)
 {
     int32_t *count = (int32_t *)(void *)c->k.live;
-    const int32_t n = c->lu->lu_island[4 * c->m->n_islands];
+    const int32_t n = c->factors.lu->lu_island[4 * c->m->n_islands];
     int32_t *joined = (int32_t *)(void *)c->k.joined;
     return (live_pivots){count, count + n, joined, joined + n};
 }
@@ -378,11 +386,11 @@ static inline int has_groups(const context *c) { return has_turns(c) && !is_most
 /* Makes factors of the matrix in value, of the islands at hand. */
 static inline int32_t factorise_matrix(const context *c)
 {
-    const holonom_elimination *lu = c->lu;
+    const holonom_elimination *lu = c->factors.lu;
     const int32_t begin = first_pivot(c), end = end_pivot(c),
-                  *target = lu->lu_target + lu->lu_island[4 * c->first_island + 2];
+                  *target = lu->lu_target + lu->lu_island[4 * c->view.first + 2];
     if (has_groups(c))
-        return hm_block_factor(lu, c->first_island, c->last_island, c->k.value)
+        return hm_block_factor(lu, c->view.first, c->view.last, c->k.value)
                    ? HOLONOM_SINGULAR_TANGENT
                    : HOLONOM_OK;
     const live_pivots live = live_pivots_of(c);
@@ -400,7 +408,7 @@ static inline int32_t factorise(const context *c)
 
 /* Inverse pivot of row i, of what is left of -G A^-1 G' - epsilon; 0 of a row in a tree. */
 static inline double inverse_pivot(const context *c, int32_t i)
-{ return c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]; }
+{ return c->k.value[c->factors.lu->lu_ptr[c->factors.lu->row_position[i]]]; }
 
 /* Whether row i is one of a tree (articulated.h), which is independent, well determined, and holds
    at once. */
@@ -409,9 +417,9 @@ static inline int is_in_tree(const context *c, int32_t i) { return inverse_pivot
 /* Replaces the right-hand side by the solution. */
 static inline void solve_factors(const context *c)
 {
-    const holonom_elimination *lu = c->lu;
+    const holonom_elimination *lu = c->factors.lu;
     const int32_t begin = first_pivot(c), end = end_pivot(c);
-    if (has_groups(c)) hm_block_solve(lu, c->first_island, c->last_island, c->k.value, c->k.rhs);
+    if (has_groups(c)) hm_block_solve(lu, c->view.first, c->view.last, c->k.value, c->k.rhs);
     else if (is_mostly_empty(c)) {
         const live_pivots live = live_pivots_of(c);
         hm_lu_solve_live(lu, begin, end, &live, c->k.value, c->k.rhs);

@@ -207,7 +207,7 @@ HM_OFTEN axes axes_of(const context *c, int32_t f, const double *directors)
     x.first = DIM * first_of_unknown(c, node[0]);
     x.second =
         m->form_kind[f] & FORM_LINEAR ? -1 : DIM * first_of_unknown(c, node[m->form_free[f] - 1]);
-    if (!c->at_state || x.second < 0) turn_axes(c, f, directors, &x);
+    if (!c->step.at_state || x.second < 0) turn_axes(c, f, directors, &x);
     else EACH(k) x.a[k] = a[k], x.b[k] = b[k];
     return x;
 }
@@ -271,10 +271,10 @@ HM_OFTEN const int32_t *scatter_torques(double factor, const axes *x, const int3
    no multipliers. */
 static void axes_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
 {
-    const double factor = c->theta * c->h * c->k.mu[i];
+    const double factor = c->step.theta * c->h * c->k.mu[i];
     const axes x = axes_of(c, c->m->row_form[i], c->k.middle);
     axes y = {x.first, x.second, {0.0}, {0.0}};
-    if (!c->at_state) {
+    if (!c->step.at_state) {
         double own[TURNING * TURNING] = {0.0}, other[TURNING * TURNING] = {0.0};
         turn_axes(c, c->m->row_form[i], c->k.turned, &y);
         add_turning(factor, x.b, y.a, own);
@@ -287,7 +287,7 @@ static void axes_row_tangent(const context *c, int32_t i, const int32_t *slot, d
                                scatter(TURNING * TURNING, other, slot, value), value);
         }
     } else if (x.second >= 0 && !is_lean(c)) slot += 2 * TURNING * TURNING;
-    scatter_torques(1.0, c->at_state ? &x : &y, scatter_torques(c->h, &x, slot, value), value);
+    scatter_torques(1.0, c->step.at_state ? &x : &y, scatter_torques(c->h, &x, slot, value), value);
 }
 
 /* Tangent of form row i: stiffness, the gradient in the middle, that at the end. */
@@ -299,7 +299,7 @@ static void row_tangent(const context *c, int32_t i, const int32_t *slot, double
         return;
     }
     const int32_t f = m->row_form[i], end = m->form_ptr[f] + m->form_free[f];
-    const double factor = c->theta * c->h * c->k.mu[i];
+    const double factor = c->step.theta * c->h * c->k.mu[i];
     double u1[DIM], w1[DIM], x[DIM * DIM];
     form_side sides[MOST_SIDES];
     int n = 0;

@@ -132,7 +132,7 @@ static void turn_body(const context *c, int32_t a)
         EACH(k) {
             const double change = twice * (x[k] + y[k]);
             c->k.d[at + k] = change;
-            c->k.middle[at + k] = d[k] + c->theta * change;
+            c->k.middle[at + k] = d[k] + c->step.theta * change;
             c->k.turned[at + k] = d[k] + change;
             c->k.w[at + k] = own[k] + twice * (y[k] - size2 * x[k]) - c->k.internal[at + k];
         }

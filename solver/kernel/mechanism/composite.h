@@ -255,7 +255,7 @@ static int32_t element_law(const context *c, int32_t j, int tangent, composite_r
     if (status) return status;
     const double force =
         stiffness * (leaf.x0 + 0.5 * leaf.dx - rest) + damping * leaf.dx / c->h - drive;
-    const double slope = stiffness * c->theta + damping / c->h;
+    const double slope = stiffness * c->step.theta + damping / c->h;
     const int32_t local[2] = {entry[2], entry[3]};
     result->mechanical = leaf.dx;
     for (int32_t f = 0; f < n; f++) c->k.slope[f] = 0.0;
@@ -307,13 +307,13 @@ HM_OFTEN void links_of_parts(const context *c, int linked, int active)
 {
     const holonom_model *m = c->m;
     const int touches = linked == ISLAND_TOUCHING_LINKED;
-    for (int32_t i = c->begin[linked];
-         (i = touches ? next_near(c, NEAR_LINKED, i) : i) < c->end[linked]; i++) {
+    for (int32_t i = c->view.begin[linked];
+         (i = touches ? next_near(c, NEAR_LINKED, i) : i) < c->view.end[linked]; i++) {
         const int32_t f = m->linked_form[i];
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
-    for (int32_t j = c->begin[active];
-         (j = touches ? next_near(c, NEAR_ACTIVE, j) : j) < c->end[active]; j++) {
+    for (int32_t j = c->view.begin[active];
+         (j = touches ? next_near(c, NEAR_ACTIVE, j) : j) < c->view.end[active]; j++) {
         double s[2] = {0.0, 0.0};
         for (int i = 0; i < (m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1); i++) {
             const int32_t f = m->quantity_form[2 * j + i];
@@ -330,7 +330,7 @@ static void links_at_start(const context *c)
          f++) /* what is only measured, too */
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     links_of_parts(c, ISLAND_LINKED, ISLAND_ACTIVE);
-    if (!c->asleep || c->stepping)
+    if (!c->view.asleep || c->step.changes_contacts)
         links_of_parts(c, ISLAND_TOUCHING_LINKED, ISLAND_TOUCHING_ACTIVE);
 }
 

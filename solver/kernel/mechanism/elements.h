@@ -29,14 +29,14 @@ typedef struct element_kind {
 /* Elements at hand; the last ones are potentials. */
 static inline int32_t next_element(const context *c, int32_t j)
 {
-    return j < c->end[ISLAND_ELEMENT] || j > c->begin[ISLAND_POTENTIAL]
+    return j < c->view.end[ISLAND_ELEMENT] || j > c->view.begin[ISLAND_POTENTIAL]
                ? j
-               : c->begin[ISLAND_POTENTIAL];
+               : c->view.begin[ISLAND_POTENTIAL];
 }
 
 #define EACH_ELEMENT(c, j)                                                                         \
-    for (int32_t j##_end = (c)->end[ISLAND_POTENTIAL],                                             \
-                 j = next_element(c, (c)->begin[ISLAND_ELEMENT]);                                  \
+    for (int32_t j##_end = (c)->view.end[ISLAND_POTENTIAL],                                        \
+                 j = next_element(c, (c)->view.begin[ISLAND_ELEMENT]);                             \
          j < j##_end; j = next_element(c, j + 1))
 
 /* Of springs, dampers and drives, which act along one quantity. */

@@ -13,7 +13,7 @@
 #define DAMPER_WAY 4.0
 
 #define STIFF                                                                                      \
-    100.0 /* rate of a damper over that of the motion: beyond, covers let it settle within a step 
+    100.0 /* rate of a damper over that of the motion: beyond, covers let it settle within a step
              \ */
 
 enum { MOST_POWERS = 10 };
@@ -25,7 +25,7 @@ static void respond(const context *at, double *x)
     clear_bodies(at, at->k.torque, TURNING);
     if (has_turns(at)) reduce_momentum(at);
     gather_momentum(at);
-    EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = 0.0;
+    EACH_ROW(at, i) at->k.rhs[at->factors.lu->row_position[i]] = 0.0;
     solve_factors(at);
     memset(x, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
     add_solution(at, x);

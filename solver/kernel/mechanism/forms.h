@@ -155,10 +155,10 @@ typedef struct motion {
 
 HM_OFTEN void form_motion(const context *c, int32_t f, motion *g)
 {
-    const double theta = c->theta;
+    const double theta = c->step.theta;
     g->u0 = c->k.u0 + DIM * f;
     g->w0 = c->k.w0 + DIM * f;
-    if (c->at_state) {
+    if (c->step.at_state) {
         g->ds = 0.0;
         EACH(k) g->du[k] = g->dw[k] = 0.0, g->um[k] = g->u0[k], g->wm[k] = g->w0[k];
         return;
@@ -176,7 +176,7 @@ HM_OFTEN void form_motion(const context *c, int32_t f, motion *g)
 static double compliance_over_sigma(const context *c)
 {
     double raised = 1.0;
-    for (int level = 0; level < MOST_LEVELS && level < c->island[I_PENALTY_LEVEL]; level++)
+    for (int level = 0; level < MOST_LEVELS && level < c->view.scalars[I_PENALTY_LEVEL]; level++)
         raised *= 1e2;
     return c->h * c->h / (2.0 * (c->s.head[S_PENALTY] * raised));
 }

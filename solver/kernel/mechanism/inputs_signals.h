@@ -21,7 +21,7 @@ static void load_inputs(const context *c, double t)
 {
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
-    const double past = t - c->start;
+    const double past = t - c->laws.start;
     for (int32_t i = 0; i < m->n_inputs; i++) {
         const double moved =
             past * (s->inputs_slope[i] + past * (s->inputs_bend[i] + past * s->inputs_third[i]));
@@ -76,7 +76,7 @@ HM_SELDOM static void load_jets(const context *c, double t, int32_t segment)
 {
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
-    const double past = t - c->start;
+    const double past = t - c->laws.start;
     load_inputs(c, t);
     c->number[m->time_at] = t;
     hm_stop_jets(m, segment, c->k.jet);

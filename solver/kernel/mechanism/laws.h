@@ -73,7 +73,7 @@ static int32_t body_moment_law(const context *c, int32_t j, double *moment, doub
     const int32_t node = m->body_moment[2 * j];
     const double *given = c->number + m->body_moment_at + 3 * j;
     double d[9];
-    for (int k = 0; k < 9; k++) d[k] = c->s.q[3 * node + k] + c->theta * c->k.d[3 * node + k];
+    for (int k = 0; k < 9; k++) d[k] = c->s.q[3 * node + k] + c->step.theta * c->k.d[3 * node + k];
     for (int i = 0; i < 3; i++)
         cross_product(d + 3 * ((i + 1) % 3), d + 3 * ((i + 2) % 3), dual + 3 * i);
     const double volume = dot(d, dual);
@@ -103,7 +103,8 @@ static int32_t body_moment_tangent(const context *c, int32_t b, const int32_t *s
     const int32_t node = c->m->body_moment[2 * b];
     const int32_t status = body_moment_law(c, b, moment, dual, f);
     if (status) return status;
-    const double *given = c->number + c->m->body_moment_at + 3 * b, factor = -0.5 * c->h * c->theta;
+    const double *given = c->number + c->m->body_moment_at + 3 * b,
+                 factor = -0.5 * c->h * c->step.theta;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double turned[3];
@@ -130,7 +131,7 @@ static void load_force(const context *c, int32_t j, double *force)
     if (axes < 0) return;
     double d[DIM == 2 ? 2 : 9];
     for (int k = 0; k < (DIM == 2 ? 2 : 9); k++)
-        d[k] = c->s.q[DIM * axes + k] + c->theta * c->k.d[DIM * axes + k];
+        d[k] = c->s.q[DIM * axes + k] + c->step.theta * c->k.d[DIM * axes + k];
 #if DIM == 2
     EACH(k) force[k] = given[0] * d[k];
     add_turned(given[1], d, force);
@@ -152,7 +153,7 @@ static const int32_t *load_tangent(const context *c, int32_t j, const int32_t *s
 {
     const holonom_model *m = c->m;
     const int32_t f = m->load_form[j], axes = m->load_axes[j];
-    const double *given = c->number + m->load_at + DIM * j, factor = -c->h * c->theta;
+    const double *given = c->number + m->load_at + DIM * j, factor = -c->h * c->step.theta;
     if (axes < 0) return slot;
     for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++)
         for (int q = 0; q < (DIM == 2 ? 1 : 3); q++) {

@@ -41,7 +41,8 @@ static void rigid_momenta(const context *c, const double *centre, const int *kep
     for (int i = 0; i < RIGID; i++) {
         const int first = (i + DIM - 2) % DIM, second = (i + DIM - 1) % DIM;
         double sum = 0.0, sizes = 0.0;
-        for (int32_t k = DIM * c->node.begin; k < DIM * c->node.end && kept[i]; k += DIM) {
+        for (int32_t k = DIM * c->view.node.begin; k < DIM * c->view.node.end && kept[i];
+             k += DIM) {
             const double *own = p + k;
             double x[DIM];
             if (i < DIM && c->m->node_kind[k / DIM]) continue;
@@ -110,7 +111,7 @@ static void add_rigid(const context *c, const double *centre, double L[RIGID][RI
     double xi[DIM];
     solve_rigid(L, b);
     for (int i = 0; i < RIGID; i++)
-        for (int32_t a = c->node.begin; a < c->node.end && b[i] != 0.0; a++) {
+        for (int32_t a = c->view.node.begin; a < c->view.node.end && b[i] != 0.0; a++) {
             rigid_velocity(c, centre, i, a, xi);
             EACH(k) x[DIM * a + k] += b[i] * xi[k];
         }

@@ -23,7 +23,7 @@ static inline double *friction_of(const context *c, int32_t f)
 { return c->s.frictions + F_SIZE * f; }
 
 /* Notes composite j, a row, as the one to name if the step fails. */
-static inline void blame(context *c, int32_t j) { c->at_fault = row_of(c, j) + 1; }
+static inline void blame(context *c, int32_t j) { c->step.at_fault = row_of(c, j) + 1; }
 
 static inline int is_closed(const context *c, int32_t i)
 { return contact_of(c, i)[C_CLOSED] != 0.0; }
@@ -84,11 +84,12 @@ static void leave_rows_out(context *c)
     span *row = (span *)(void *)c->k.pieces,
          *composite = row + 2 + m->n_function_rows + m->n_velocity_rows;
     const int32_t first = row_of(c, first_function(c));
-    c->asleep = 1;
-    int rows = 0,
-        composites = add_piece(composite, 0, c->begin[ISLAND_ELEMENT], c->end[ISLAND_ELEMENT]);
-    for (; rows < c->rows && c->row[rows].begin < first; rows++)
-        row[rows] = (span){c->row[rows].begin, c->row[rows].end < first ? c->row[rows].end : first};
+    c->view.asleep = 1;
+    int rows = 0, composites = add_piece(composite, 0, c->view.begin[ISLAND_ELEMENT],
+                                         c->view.end[ISLAND_ELEMENT]);
+    for (; rows < c->view.rows && c->view.row[rows].begin < first; rows++)
+        row[rows] = (span){c->view.row[rows].begin,
+                           c->view.row[rows].end < first ? c->view.row[rows].end : first};
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         EACH_ROW_OF_KIND(c, j, k) {
             const int32_t i = row_of(c, j);
@@ -96,15 +97,15 @@ static void leave_rows_out(context *c)
                 c->k.mu[i] = c->k.lambda[i] = c->k.phi[i] = 0.0;
                 continue;
             }
-            c->asleep &= owner_of(c, j) < 0;
+            c->view.asleep &= owner_of(c, j) < 0;
             rows = add_piece(row, rows, i, i + 1);
             composites = add_piece(composite, composites, j, j + 1);
         }
-    c->composites =
-        add_piece(composite, composites, c->begin[ISLAND_POTENTIAL], c->end[ISLAND_POTENTIAL]);
-    c->rows = rows;
-    c->row = row, c->composite = composite;
-    c->left_out = 1;
+    c->view.composites = add_piece(composite, composites, c->view.begin[ISLAND_POTENTIAL],
+                                   c->view.end[ISLAND_POTENTIAL]);
+    c->view.rows = rows;
+    c->view.row = row, c->view.composite = composite;
+    c->view.left_out = 1;
 }
 
 /* Gap at which the contact of composite j closed and which its row keeps; 0 for other rows. */
@@ -118,7 +119,7 @@ static inline double reference_of(const context *c, int32_t j)
 static inline int is_at_hand(const context *c, int32_t f)
 {
     const int32_t j = c->m->friction_row[c->m->friction_row_ptr[f]];
-    return j >= c->begin[ISLAND_VELOCITY] && j < c->end[ISLAND_VELOCITY];
+    return j >= c->view.begin[ISLAND_VELOCITY] && j < c->view.end[ISLAND_VELOCITY];
 }
 
 /* Whether friction f is that of a contact, off while the contact is open, and not that of a
@@ -191,7 +192,7 @@ static inline int may_be_deferred(const context *c, int32_t f)
 { return is_of_contact(c, f) && !is_smooth(c, f); }
 
 static inline int is_deferred(const context *c, int32_t f)
-{ return c->defers_friction && may_be_deferred(c, f); }
+{ return c->friction.is_deferred && may_be_deferred(c, f); }
 
 static int has_smooth(const context *c)
 {
@@ -222,11 +223,11 @@ static double slip_direction(const context *c, int32_t f, double *along)
     const int n = n_slips(c, f), smooth = is_smooth(c, f);
     const double *began = friction_of(c, f) + F_ALONG_1;
     const double sigma = c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))]; /* [1/kg] */
-    const double doubt2 = hm_square(KNOWN_SLIP * c->unsettled) * sigma;
+    const double doubt2 = hm_square(KNOWN_SLIP * c->step.unsettled) * sigma;
     double slip2 = 0.0, turn2 = 0.0, size2 = hm_square(c->number[c->m->smooth_speed_at + f]),
            ahead = 0.0, way[3];
     for (int k = 0; k < n; k++) along[k] = began[k];
-    if (c->at_state || (n == 1 && !smooth)) return 0.0;
+    if (c->step.at_state || (n == 1 && !smooth)) return 0.0;
     for (int k = 0; k < n; k++) {
         const int32_t row = row_of(c, slip_row(c, f, k));
         slip2 += hm_square(c->k.slip[row]);
@@ -251,7 +252,7 @@ static double slip_direction(const context *c, int32_t f, double *along)
    normal forces in mu. */
 static void follow_cones(const context *c)
 {
-    if (!c->sliding) return;
+    if (!c->friction.slides) return;
     EACH_FRICTION(c, f) {
         double along[3];
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;

@@ -39,7 +39,7 @@ static void sense(const context *c, double h, int parity)
    with sign, has left no solution. */
 static int reads_the_step(const context *c)
 {
-    return c->m->sensing && c->tolerance > 0.0 && !c->stepping && !c->foretells;
+    return c->m->sensing && c->tolerance > 0.0 && !c->step.changes_contacts && !c->laws.foretells;
 }
 
 /* Laws at the middle of the present increment d: so half steps are symmetric, and weighted covers

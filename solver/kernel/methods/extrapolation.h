@@ -37,7 +37,7 @@ static void begin_cover(context *c, double t, double law_time)
     memset(c->k.loss, 0, sizeof(double) * (size_t)n_composites(c));
     if (c->m->time_dependent) set_laws(c, law_time, 0);
     c->t = t;
-    c->rows_known = 0;
+    c->step.rows_known = 0;
 }
 
 /* Adds the end of a cover to the weighted changes of the motion (in estimate), ledger and losses;
@@ -104,7 +104,7 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
     memset(c->k.loss, 0, losses);
     memset(c->k.weighted_loss, 0, losses);
     for (int pairs = 1; pairs <= covers; pairs++) {
-        c->n_kept_forces = 0;
+        c->step.n_kept_forces = 0;
         if (pairs > 1) begin_cover(c, t, law_time);
         for (int i = 0; i < 2 * pairs; i++) {
             const int32_t status = single_step(c, 0.5 * h / pairs, half++ % halves);

@@ -35,7 +35,7 @@ HM_SELDOM static double turn_island(context *c, const kept_motion *x, const doub
    inertia. */
 HM_SELDOM static void turn_to_momentum(context *c, kept_motion *x)
 {
-    int keeps = x->flies && c->node.end - c->node.begin == 1 + TURNING;
+    int keeps = x->flies && c->view.node.end - c->view.node.begin == 1 + TURNING;
     double now[RIGID], size[RIGID], psi[DIM];
     for (int i = 0; i < RIGID; i++) keeps &= x->kept[i];
     if (!keeps) return;
@@ -129,7 +129,7 @@ HM_SELDOM static int balance_by_turning(context *c, kept_motion *x, double L[RIG
         put_momenta_back(c, x, L);
         potential = potential_of_island(c);
     }
-    c->island[I_UNBALANCED] = unbalanced(c, x, potential);
+    c->view.scalars[I_UNBALANCED] = unbalanced(c, x, potential);
     return keeps;
 #else
     (void)c, (void)x, (void)L, (void)potential;

@@ -29,7 +29,7 @@ _Static_assert(sizeof(kept_motion) <= sizeof(double) * KEPT_SIZE, "scratch of an
 /* What the islands at hand, one, keep. */
 static kept_motion *kept_of(const context *c)
 {
-    return (kept_motion *)(void *)(c->k.kept + KEPT_SIZE * (int64_t)c->first_island);
+    return (kept_motion *)(void *)(c->k.kept + KEPT_SIZE * (int64_t)c->view.first);
 }
 
 static int touches_ground(const context *c, int32_t f)
@@ -40,7 +40,7 @@ static int touches_ground(const context *c, int32_t f)
 HM_SELDOM static int may_fly(const context *c)
 {
     const holonom_model *m = c->m;
-    if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 0;
+    if (c->view.begin[ISLAND_DRIVEN] < c->view.end[ISLAND_DRIVEN]) return 0;
     EACH_FORM_ROW(c, i) if (touches_ground(c, m->row_form[i])) return 0;
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) if (touches_ground(c, m->coincidence_form[j])) return 0;
     EACH_COMPOSITE(c, j)
@@ -54,7 +54,7 @@ static int is_loaded(const context *c)
 {
     static const int LOADS[] = {ISLAND_LOAD, ISLAND_MOMENT, ISLAND_BODY_MOMENT};
     int loaded = 0;
-    for (int k = 0; k < 3; k++) loaded |= c->begin[LOADS[k]] < c->end[LOADS[k]];
+    for (int k = 0; k < 3; k++) loaded |= c->view.begin[LOADS[k]] < c->view.end[LOADS[k]];
     return loaded;
 }
 
@@ -111,14 +111,14 @@ HM_SELDOM static void keep_motion(context *c, double h)
         memset(x, 0, sizeof *x);
         x->flies = may_fly(c);
         for (int i = 0; i < RIGID; i++)
-            x->kept[i] = c->begin[ISLAND_DRIVEN] == c->end[ISLAND_DRIVEN];
+            x->kept[i] = c->view.begin[ISLAND_DRIVEN] == c->view.end[ISLAND_DRIVEN];
         x->potential = potential_of_island(c);
         x->kinetic = kinetic_energy(c, c->k.momentum); /* leaves M v in momentum */
         x->lacking = c->m->n_islands == 1 ? ledger_balance(c, x->kinetic, x->potential)
-                                          : c->island[I_UNBALANCED];
+                                          : c->view.scalars[I_UNBALANCED];
         find_centre(c, x);
         rigid_momenta(c, x->centre, x->kept, c->k.momentum, x->before, x->scale);
-        for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE] && x->flies; a++)
+        for (int32_t a = c->view.begin[ISLAND_FREE]; a < c->view.end[ISLAND_FREE] && x->flies; a++)
             EACH(k)
                 x->impulse[k] +=
                     h * c->number[m->node_weight_at + a] * c->number[m->gravity_at + k];
@@ -195,7 +195,8 @@ HM_SELDOM static void tell_corrections(context *c, step_result *result)
 }
 
 #define EACH_FREE(c, k)                                                                            \
-    for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE];         \
+    for (int32_t k = DIM * (c)->view.begin[ISLAND_FREE],                                           \
+                 k##_end = DIM * (c)->view.end[ISLAND_FREE];                                       \
          k < k##_end; k++)
 
 /* Adds so much of u (n) to the velocities at hand. */

@@ -23,7 +23,7 @@ static void add_correction(const context *at, double *x)
 {
     clear_nodes(at, at->k.momentum);
     gather_momentum(at);
-    EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = -at->k.phi[i];
+    EACH_ROW(at, i) at->k.rhs[at->factors.lu->row_position[i]] = -at->k.phi[i];
     solve_factors(at);
     add_solution(at, x);
 }
@@ -33,8 +33,8 @@ static void take_unknowns(context *at)
 {
     look_at_all(at);
     stand_still_as_bodies(at);
-    at->rows_known = 0;
-    if (at->m->n_lean_values) at->lu = lean_factors(at);
+    at->step.rows_known = 0;
+    if (at->m->n_lean_values) at->factors.lu = lean_factors(at);
 }
 
 /* Links at the state, and no increments. */
@@ -52,9 +52,9 @@ static int32_t factorise_here(context *at)
 {
     rest_here(at);
     EACH_ROW(at, i) at->k.mu[i] = 0.0;
-    at->constraints_only = 1;
+    at->step.constraints_only = 1;
     const int32_t status = factorise(at);
-    at->constraints_only = 0;
+    at->step.constraints_only = 0;
     return status;
 }
 
@@ -135,7 +135,7 @@ HM_SELDOM static void leave_free(context *at, double *u)
 HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double L[RIGID][RIGID])
 {
     double momentum[RIGID], unused[RIGID], *u = at->k.free;
-    const int asks = at->begin[ISLAND_VELOCITY] < at->end[ISLAND_VELOCITY]
+    const int asks = at->view.begin[ISLAND_VELOCITY] < at->view.end[ISLAND_VELOCITY]
                      && find_asked_rates(at); /* else velocities on the rows are free */
     clear_nodes(at, u);
     EACH_FREE(at, k) u[k] = at->s.v[k] + at->s.v_low[k];
@@ -156,7 +156,7 @@ HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential
     for (int i = 0; i < 3; i++) {
         const double excess = unbalanced(c, x, potential);
         double along = 0.0;
-        c->island[I_UNBALANCED] = excess;
+        c->view.scalars[I_UNBALANCED] = excess;
         if (excess == 0.0) return 1;
         EACH_NODE(c, a) along += dot(u + DIM * a, c->k.momentum + DIM * a);
         const double part =
@@ -167,7 +167,7 @@ HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential
         x->correction = fmax(x->correction, change);
         add_to_velocities(c, part, u);
     }
-    if (c->m->n_islands > 1) c->island[I_UNBALANCED] = unbalanced(c, x, potential);
+    if (c->m->n_islands > 1) c->view.scalars[I_UNBALANCED] = unbalanced(c, x, potential);
     return 1;
 }
 
@@ -175,7 +175,7 @@ HM_SELDOM static int balance_energy(context *c, kept_motion *x, double potential
    work is known to the order. */
 HM_SELDOM static int has_unknown_work(const context *c)
 {
-    if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 1;
+    if (c->view.begin[ISLAND_DRIVEN] < c->view.end[ISLAND_DRIVEN]) return 1;
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY && c->m->n_signals; k++)
         for IN_ISLAND(c, j, k) if (has_signal(c, j)) return 1;
     return c->m->sensing && (is_loaded(c) || has_drives(c));
@@ -207,19 +207,19 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
     const double potential = potential_of_island(c);
     if (has_unknown_work(c)) {
         book(c, S_WORK, unbalanced(c, x, potential));
-        c->island[I_UNBALANCED] = 0.0;
+        c->view.scalars[I_UNBALANCED] = 0.0;
         return 1;
     }
     free_velocities(at, x, L);
     if (mass_product(c, c->k.free, c->k.free) >= LEAST_FREE * mass_product(c, c->s.v, c->s.v)
         && balance_energy(c, x, potential)) {
-        if (make_up(c, c->island[I_UNBALANCED])) c->island[I_UNBALANCED] = 0.0;
+        if (make_up(c, c->view.scalars[I_UNBALANCED])) c->view.scalars[I_UNBALANCED] = 0.0;
         return 1;
     }
     if (balance_by_turning(c, x, L, potential)) return 1;
     /* Steady spins have no velocity and no turn that would change the energy: round-off of a step
        is left, and is seen in the ledger. */
-    c->island[I_UNBALANCED] = 0.0;
+    c->view.scalars[I_UNBALANCED] = 0.0;
     const double excess = unbalanced(c, x, potential);
     return make_up(c, excess) || is_round_off(c, x, excess);
 }

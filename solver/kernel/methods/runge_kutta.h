@@ -50,7 +50,7 @@ HM_SELDOM static int may_step_explicitly(const context *c)
     const double mass =
         c->number[c->m->extent_at
                   + 1]; /* none where drivers move springs alone: then nothing measures errors */
-    return mass > 0.0 && c->tolerance > 0.0 && !c->sliding && c->s.head[S_HELD] < MOST_HELD
+    return mass > 0.0 && c->tolerance > 0.0 && !c->friction.slides && c->s.head[S_HELD] < MOST_HELD
            && allows_explicit(c);
 }
 
@@ -117,7 +117,7 @@ static void second_rates(const context *at)
 /* Multiplies the compliance of rows that depend on each other. */
 static void soften(const context *at, double times)
 {
-    if (at->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT) return;
+    if (at->view.scalars[I_DEPENDENT] == ROWS_ARE_INDEPENDENT) return;
     EACH_ROW(at, i) at->k.epsilon[i] *= times;
 }
 
@@ -130,7 +130,8 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
     int32_t status = factorise_here(at);
     if (status) return status;
     clear_nodes(at, at->k.w);
-    for (int32_t k = DIM * at->begin[ISLAND_DRIVEN]; k < DIM * at->end[ISLAND_DRIVEN]; k++)
+    for (int32_t k = DIM * at->view.begin[ISLAND_DRIVEN]; k < DIM * at->view.end[ISLAND_DRIVEN];
+         k++)
         at->k.w[k] = at->k.signal_bend[k - DIM * m->n_free];
     EACH_TURN(at, b) { /* what directors have where their bodies do not turn faster */
         const int32_t first = DIM * m->body_node[b];
@@ -142,7 +143,7 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
     /* What dependent rows do not determine would stay and grow; those of rows in trees are found at
        once. */
     EACH_ROW(at, i) {
-        if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT || is_in_tree(at, i))
+        if (at->view.scalars[I_DEPENDENT] != ROWS_ARE_INDEPENDENT || is_in_tree(at, i))
             multipliers[i] = 0.0;
         at->k.mu[i] = at->k.lambda[i] = multipliers[i];
     }
@@ -156,7 +157,7 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
         add_solution(at, a);
         clear_nodes(at, at->k.momentum);
         EACH_ROW(at, i) {
-            const double change = at->k.rhs[at->lu->row_position[i]], before = at->k.phi[i];
+            const double change = at->k.rhs[at->factors.lu->row_position[i]], before = at->k.phi[i];
             multipliers[i] = at->k.lambda[i] = at->k.mu[i] += change;
             at->k.phi[i] = is_in_tree(at, i) ? 0.0 : at->k.epsilon[i] * change;
             if (is_in_tree(at, i)) continue;
@@ -167,8 +168,8 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
         if (!(left > LEFT_OF_ROWS * largest && left < SLOW * last)) break;
         last = left;
     }
-    const int32_t first = DIM * at->begin[ISLAND_FREE];
-    return all_finite(a + first, DIM * at->end[ISLAND_FREE] - first) ? HOLONOM_OK
+    const int32_t first = DIM * at->view.begin[ISLAND_FREE];
+    return all_finite(a + first, DIM * at->view.end[ISLAND_FREE] - first) ? HOLONOM_OK
                                                                      : HOLONOM_NOT_FINITE;
 }
 
@@ -195,7 +196,7 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion 
     if (!is_loaded(at)) return HOLONOM_OK;
     clear_nodes(at, at->k.momentum);
     const int32_t status = subtract_forces(at, at->k.momentum); /* of weights, too */
-    for (int32_t a = at->begin[ISLAND_FREE]; a < at->end[ISLAND_FREE]; a++)
+    for (int32_t a = at->view.begin[ISLAND_FREE]; a < at->view.end[ISLAND_FREE]; a++)
         x->work -= time * (dot(v + DIM * a, at->k.momentum + DIM * a) / at->h +
                            at->number[m->node_weight_at + a] * dot(gravity, v + DIM * a));
     return status;
@@ -229,7 +230,7 @@ HM_SELDOM static void look_for_forces(const context *c, double h, const double *
 static int is_singular_here(const context *at)
 {
     double largest = 0.0;
-    if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT) return 0;
+    if (at->view.scalars[I_DEPENDENT] != ROWS_ARE_INDEPENDENT) return 0;
     EACH_ROW(at, i)
         if (state_of_multiplier(at, i) == ROW_IS_ON)
             largest = fmax(largest, fabs(inverse_pivot(at, i)) * at->k.epsilon[i]);
@@ -405,9 +406,9 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     keep_motion(c, h);
     result->energy_correction = 0.0;
     result->growth = n_contacts(c->m) ? IMPACTS_GROW : 1.0;
-    at->n_kept_forces = 0;
+    at->step.n_kept_forces = 0;
     if (!status) status = take_stages(at, x, h);
-    c->n_kept_forces = at->n_kept_forces;
+    c->step.n_kept_forces = at->step.n_kept_forces;
     if (status) return status;
     const double of_all = difference_of_stages(at, x, h, &of_node);
     result->difference = fmax(of_all, NODES_OF_STAGES * of_node);
@@ -453,7 +454,7 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h, step_result *res
     context at = rows_at_state(c);
     take_unknowns(&at);
     c->h = h;
-    c->halves = x->stages;
+    c->step.halves = x->stages;
     int32_t status = step_explicitly(c, &at, x, h, result);
     /* Some weights are negative, those of pairs are not; and a stage lies on a singular place. */
     if (status == HOLONOM_DAMPING_REVERSED || status == HOLONOM_SINGULAR_TANGENT) return HOLONOM_OK;

@@ -88,7 +88,7 @@ static int32_t composed_step(context *c, double h, int order, step_result *resul
     keep_state(c, c->k.pair_backup);
     stage(order, 0, &stages);
     begin_halves(c, 2 * stages);
-    c->n_kept_forces = 0;
+    c->step.n_kept_forces = 0;
     for (int i = 0; i < stages; i++) {
         const double half = 0.5 * h * stage(order, i, &stages);
         status = single_step(c, half, 2 * i);
@@ -163,7 +163,7 @@ static int32_t step_halving(context *c, double h, int left)
     if (is_stopped(c)) return HOLONOM_STOPPED;
     if (left == UNDIVIDED) c->event.divided = 0;
     int32_t status = internal_step(c, h);
-    c->careful = status != HOLONOM_OK;
+    c->step.careful = status != HOLONOM_OK;
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
     lower_penalties(c);

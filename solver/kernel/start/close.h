@@ -153,7 +153,7 @@ static void turn_once_by(context *c, int32_t a, const double *turn)
 static void move_by(context *at, const double *x, double part)
 {
     for (int32_t a = 0, next; a < at->m->n_free; a = next) {
-        const double *own = x + at->lu->node_position[a];
+        const double *own = x + at->factors.lu->node_position[a];
         double way[DIM];
         next = next_unknown(at, a);
         for (int k = 0; k < unknown_size(at, a); k++) way[k] = part * own[k];
@@ -168,7 +168,7 @@ static double allowed_part(const context *at, const double *x)
 {
     double farthest = 0.0;
     for (int32_t a = 0; a < at->m->n_free; a = next_unknown(at, a)) {
-        const double *own = x + at->lu->node_position[a], turns = is_director(at, a);
+        const double *own = x + at->factors.lu->node_position[a], turns = is_director(at, a);
         double square = 0.0;
         for (int k = 0; k < unknown_size(at, a); k++) square += own[k] * own[k];
         farthest = fmax(
@@ -191,7 +191,7 @@ static void shake(closing *x, double size)
     for (int32_t a = 0; a < at->m->n_free; a = next_unknown(at, a))
         for (int k = 0; k < unknown_size(at, a); k++) {
             const double unit = is_director(at, a) ? sqrt(3.0) : 0.1 * at->number[at->m->extent_at];
-            way[at->lu->node_position[a] + k] = size * unit * random_number(x);
+            way[at->factors.lu->node_position[a] + k] = size * unit * random_number(x);
         }
     move_by(at, way, 1.0);
 }
@@ -212,7 +212,7 @@ static int32_t approach(closing *x, int rounds)
         if (!factorise_matrix(at)) {
             memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
             gather_momentum(at);
-            EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = -at->k.phi[i];
+            EACH_ROW(at, i) at->k.rhs[at->factors.lu->row_position[i]] = -at->k.phi[i];
             solve_factors(at);
             keep_state(at, before);
             move_by(at, at->k.rhs, allowed_part(at, at->k.rhs));
@@ -389,11 +389,11 @@ static int can_move(closing *x)
         all += is_director(at, a) ? turning_norm2(at, a, momentum, -1)
                                   : dot(momentum, momentum) / at->number[at->m->node_mass_at + a];
     }
-    EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = 0.0;
+    EACH_ROW(at, i) at->k.rhs[at->factors.lu->row_position[i]] = 0.0;
     solve_factors(at);
     for (int32_t a = 0; a < at->m->n_free; a = next_unknown(at, a))
         for (int k = 0; k < unknown_size(at, a); k++)
-            left -= at->k.momentum[DIM * a + k] * at->k.rhs[at->lu->node_position[a] + k];
+            left -= at->k.momentum[DIM * a + k] * at->k.rhs[at->factors.lu->node_position[a] + k];
     return !(fabs(left) < 1e-4 * all);
 }
 

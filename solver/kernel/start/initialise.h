@@ -58,9 +58,9 @@ HM_SELDOM static int32_t seek_step(const context *begun, double h, int constrain
        mechanism. */
     const double holding = constraints_only ? h : fmin(h, hm_step_size(c->s.head));
     stand_still(c);
-    c->theta = 1.0;
+    c->step.theta = 1.0;
     c->h = h;
-    c->constraints_only = constraints_only;
+    c->step.constraints_only = constraints_only;
     EACH_TURN(c, b) rest_as_body(c, c->m->body_node[b]);
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.mu[i] = c->k.lambda[i] = c->s.mu[0][i];
@@ -361,7 +361,7 @@ static int32_t start_contacts(context *c, const double *state)
     if (!status && !all_finite(state, c->state_size)) status = HOLONOM_NOT_FINITE;
     if ((status == HOLONOM_SINGULAR_TANGENT || status == HOLONOM_NOT_FINITE) && blame_roughest(c))
         status = HOLONOM_CONTACT_UNDECIDED;
-    if (status) c->s.head[S_AT_FAULT] = c->at_fault;
+    if (status) c->s.head[S_AT_FAULT] = c->step.at_fault;
     return status;
 }
 
@@ -382,7 +382,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     set_laws(&c, head[S_TIME], 0);
     settle_sides(&c, head[S_TIME], 0);
     if (blame_signal(&c, c.t, 2)) {
-        head[S_AT_FAULT] = c.at_fault;
+        head[S_AT_FAULT] = c.step.at_fault;
         return HOLONOM_BAD_DRIVER;
     }
     if (!all_finite(number, m->measured_at)) return HOLONOM_NOT_FINITE;

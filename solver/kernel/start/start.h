@@ -144,12 +144,12 @@ static int32_t derive_scales(context *c)
 static context rows_at_state(const context *c)
 {
     context rows = *c;
-    rows.lu = &c->m->full;
+    rows.factors.lu = &c->m->full;
     rows.h = 1.0;
-    rows.constraints_only = rows.at_state = 1;
-    for (int k = 0; k < NEAR_LISTS; k++) rows.near[k] = NULL;
-    rows.row = c->all_row, rows.composite = c->all_composite;
-    rows.rows = c->all_rows, rows.composites = c->all_composites;
+    rows.step.constraints_only = rows.step.at_state = 1;
+    for (int k = 0; k < NEAR_LISTS; k++) rows.view.near[k] = NULL;
+    rows.view.row = c->view.all_row, rows.view.composite = c->view.all_composite;
+    rows.view.rows = c->view.all_rows, rows.view.composites = c->view.all_composites;
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     for (int32_t i = 0; i < c->m->n_rows; i++)
         c->k.epsilon[i] = 1.0 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
@@ -184,7 +184,7 @@ static int32_t factorise_at_state(const context *c)
 static void solve_with_factors(const context *c)
 {
     const context rows = rows_at_state(c); /* mu = 0 */
-    const int32_t *on = rows_on(c), n = *on++, *position = rows.lu->row_position;
+    const int32_t *on = rows_on(c), n = *on++, *position = rows.factors.lu->row_position;
     double largest = 0.0, change = INFINITY;
     EACH_ROW(&rows, i) c->k.rhs[position[i]] = 0.0;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
@@ -286,7 +286,7 @@ HM_SELDOM static int32_t forces_at_state(const context *c)
 {
     context at = *c;
     at.h = 1.0;
-    at.at_state = 1;
+    at.step.at_state = 1;
     return residual_at_state(&at);
 }
 
@@ -449,8 +449,8 @@ static void judge_rows(const context *c, double *mu)
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
         const double left = fails ? 1.0 : left_by_updates(&rows);
-        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows, rows.lu))) {
-            rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
+        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows, rows.factors.lu))) {
+            rows.view.scalars[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
             if (!fails && mu) leave_undetermined(&rows, mu, 0);
         } else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left);
     }
@@ -499,7 +499,7 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
             }
     }
     memset(mu, 0, rows);
-    c->cone_mu = mu;
+    c->friction.cone_mu = mu;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
     for (int refinement = 0; refinement < 4; refinement++) {
         memcpy(c->k.mu, mu, rows);
@@ -514,7 +514,7 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
         EACH_ROW(c, i) mu[i] += c->k.mu[i];
         if (slides_in_space(c) && is_refined(c, mu)) break; /* each refinement runs its slips */
     }
-    c->cone_mu = c->k.mu;
+    c->friction.cone_mu = c->k.mu;
     return status;
 }
 

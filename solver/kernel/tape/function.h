@@ -186,7 +186,7 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
                 run_function(c, j);
                 damp_slopes(c, j);
             }
-            const double weight = (side ? -0.5 : 0.5) / delta * (is_velocity ? c->theta : 1.0);
+            const double weight = (side ? -0.5 : 0.5) / delta * (is_velocity ? c->step.theta : 1.0);
             for (int32_t l = 0; l < n; l++) matrix[n * l + k] += weight * r->adjoint[l];
         }
     }
@@ -207,7 +207,7 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
         const int32_t *a = m->leaf + 4 * (m->leaf_ptr[j] + l);
         if (a[0] == LEAF_SIGNAL) continue;
         double weight = leaf[l].n_end;
-        if (is_velocity && a[0] == LEAF_VALUE) weight *= c->theta * c->h;
+        if (is_velocity && a[0] == LEAF_VALUE) weight *= c->step.theta * c->h;
         for (int f = 0; f < 2 && a[2 + f] >= 0; f++) c->k.end[a[2 + f]] += weight * leaf[l].e[f];
         if (is_velocity && a[0] == LEAF_VALUE) continue; /* forces act along the rates */
         for (int f = 0; f < 2 && a[2 + f] >= 0; f++)
@@ -310,7 +310,7 @@ static inline int is_next_slip(const context *c, int32_t before, int32_t j, int 
 static int32_t next_slopes(const context *c, int is_next, int32_t j, int asked,
                            composite_result *result)
 {
-    if (!is_next) set_local_forms(c, j, c->theta);
+    if (!is_next) set_local_forms(c, j, c->step.theta);
     if (j < first_function(c)) return element_law(c, j, asked, result);
     if (is_seeking(c) && is_velocity_row(c, j)) { /* velocities do not bind positions */
         const size_t forms =
@@ -361,7 +361,8 @@ static void quantities_at_state(const context *c)
     for
         IN_ISLAND(c, j, ISLAND_ACTIVE)
         c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
-    EACH_NEAR(c, NEAR_ACTIVE, j, c->begin[ISLAND_TOUCHING_ACTIVE], c->end[ISLAND_TOUCHING_ACTIVE])
+    EACH_NEAR(c, NEAR_ACTIVE, j, c->view.begin[ISLAND_TOUCHING_ACTIVE],
+              c->view.end[ISLAND_TOUCHING_ACTIVE])
         c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
 }
 

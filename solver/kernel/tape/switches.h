@@ -127,7 +127,8 @@ HM_SELDOM static const double *range_between(const context *c, const switch_plac
     load_inputs(c, a);
     hm_stop_ranges(m, c->number, x->segment, c->k.bounds);
     hm_set_range(c->k.bounds, m->time_at, a, b, 1.0, 1.0);
-    for (int32_t i = 0; i < m->n_inputs; i++) set_range_of_input(c, i, a - c->start, b - c->start);
+    for (int32_t i = 0; i < m->n_inputs; i++)
+        set_range_of_input(c, i, a - c->laws.start, b - c->laws.start);
     hm_run_ranges(m, c->number, x->segment, c->k.bounds);
     return c->k.bounds + 4 * (int64_t)x->argument;
 }
@@ -197,7 +198,7 @@ HM_SELDOM static double next_stop(context *c, double t, double end)
     c->switches.next = INFINITY;
     if (m->n_motion_switches == m->n_switches || end < c->s.head[S_QUIET_UNTIL])
         return c->switches.next;
-    const double last = move_inputs(c) ? end : end + LOOKS_AHEAD * (end - c->start);
+    const double last = move_inputs(c) ? end : end + LOOKS_AHEAD * (end - c->laws.start);
     for (int32_t k = 0; k < m->n_switches; k++) {
         int left = MOST_RANGES;
         if (switch_of(c, k)->is_of_motion) continue;
@@ -206,7 +207,7 @@ HM_SELDOM static double next_stop(context *c, double t, double end)
                                                   fmin(c->switches.next, last), 0, &left));
     }
     const double known = fmin(c->switches.next, last);
-    c->s.head[S_QUIET_UNTIL] = known - 4.0 * rounding_of_time(known, end - c->start);
+    c->s.head[S_QUIET_UNTIL] = known - 4.0 * rounding_of_time(known, end - c->laws.start);
     set_laws(c, law_time, 0);
     return c->switches.next;
 }

@@ -37,7 +37,7 @@ static void multiply_group(int32_t p, int32_t k, int32_t places, const int32_t *
 /* Product y = A x with the unfactorised matrix; x, y in elimination order, y overwritten. */
 static void multiply(const context *c, const double *epsilon, const double *x, double *y)
 {
-    const holonom_elimination *lu = c->lu;
+    const holonom_elimination *lu = c->factors.lu;
     const int32_t n = end_pivot(c), *column = lu->lu_column;
     for (int32_t k = 0; k < n; k++) y[k] = 0.0;
     for (int32_t k = 0, g = 0, p; k < n; k += p, g++) {
@@ -55,11 +55,11 @@ static void order(const context *c, double *x, double *ordered, int back)
     const int32_t n = DIM * c->m->n_free;
     for (int32_t a = 0; a < c->m->n_free; a = next_unknown(c, a))
         for (int k = 0; k < unknown_size(c, a); k++)
-            *(back ? x + DIM * a + k : ordered + c->lu->node_position[a] + k) =
-                back ? ordered[c->lu->node_position[a] + k] : x[DIM * a + k];
+            *(back ? x + DIM * a + k : ordered + c->factors.lu->node_position[a] + k) =
+                back ? ordered[c->factors.lu->node_position[a] + k] : x[DIM * a + k];
     EACH_ROW(c, i)
-        *(back ? x + n + i : ordered + c->lu->row_position[i]) =
-            back ? ordered[c->lu->row_position[i]] : x[n + i];
+        *(back ? x + n + i : ordered + c->factors.lu->row_position[i]) =
+            back ? ordered[c->factors.lu->row_position[i]] : x[n + i];
 }
 
 /* One step of length h from `state` (not modified): residual r at the increment w = d - h v of the
