@@ -37,6 +37,7 @@ DEARER = {
     ("stiffness", "double_wishbone", 2, "products"): 1.03,
     ("fresh factors", "dzhanibekov", 2, "products"): 1.04,
     ("stiffness", "flyball_governor", 2, "products"): 1.03,
+    ("fresh factors", "gears and a cam in the plane", 2, "products"): 1.03,
     ("fresh factors", "pendulum", 2, "products"): 1.04,
     ("old guess", "spring_pendulum", 2, "iterations"): 1.18,
     ("islands", "zoo in space", 2, "iterations"): 1.06,

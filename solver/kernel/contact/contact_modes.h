@@ -105,6 +105,22 @@ static int32_t find_modes_by_law(context *c, int begun)
     return HOLONOM_OK;
 }
 
+/* Part of its cone by which a friction that slides may miss it. */
+#define OFF_THE_CONE 1e-3
+
+/* Whether frictions that slide have the forces of their cones. With a friction that is strong beyond
+   all digits the equations lose them, and any choice would do. */
+static int cones_hold(const context *c, double none)
+{
+    EACH_FRICTION(c, f) {
+        if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)) continue;
+        const double limit = cone(c, f, 1, normal_force(c, f, c->k.event_mu)),
+                     force = friction_force(c, f, c->k.event_mu, NULL);
+        if (!(fabs(force - limit) <= OFF_THE_CONE * fmax(force, fabs(limit)) + none)) return 0;
+    }
+    return 1;
+}
+
 /* Changes modes one at a time until they agree with the forces, or with others that hold the
    same. */
 static int32_t agree_with_forces(context *c)
@@ -128,7 +144,8 @@ static int32_t agree_with_forces(context *c)
             continue;
         if (turn_back(c) || close_worst(c) || (together && !c->event.gives_way && hold_still(c)))
             continue;
-        if (turns++ == MOST_TURNS || !turn_beginning_slips(c, again)) return HOLONOM_OK;
+        if (turns++ == MOST_TURNS || !turn_beginning_slips(c, again))
+            return cones_hold(c, none) ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
         turned = 1;
     }
     return HOLONOM_CONTACT_UNDECIDED;
