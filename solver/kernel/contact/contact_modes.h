@@ -108,8 +108,8 @@ static int32_t find_modes_by_law(context *c, int begun)
 /* Part of its cone by which a friction that slides may miss it. */
 #define OFF_THE_CONE 1e-3
 
-/* Whether frictions that slide have the forces of their cones. With a friction that is strong beyond
-   all digits the equations lose them, and any choice would do. */
+/* Whether frictions that slide have the forces of their cones. With a friction that is strong
+   beyond all digits the equations lose them, and any choice would do. */
 static int cones_hold(const context *c, double none)
 {
     EACH_FRICTION(c, f) {
