@@ -82,9 +82,7 @@ enum { MOST_PRESSES = 100, MOST_ENDINGS = 10 };
    the piece lasts. */
 enum { IDLE, PUSHES_SLIDING, PUSHES_STUCK, PUSHES_BEGINNING };
 
-/* Numbers of a sweep: rows each, those of contacts as many.
-
-   Of the active contacts: W and what else their rates are found from, and the contact of each. */
+/* Of the active contacts: W and what else their rates are found from, and the contact of each. */
 typedef struct active_rows {
     double *matrix, *b, *way, *p, *rate, *coefficient;
     int32_t *first, *tangents, *slides, *contact;
@@ -98,6 +96,7 @@ typedef struct impact_walls {
     int32_t *live, *on, *stuck, *waits;
 } impact_walls;
 
+/* Numbers of a sweep: rows each, those of contacts as many. */
 typedef struct impact_path {
     hm_impact *x;
     contact_problem rates; /* of the active contacts */

@@ -144,9 +144,9 @@ static int32_t law_tangent(const context *c, double *value)
     for IN_ISLAND(c, j, ISLAND_LOAD) slot = load_tangent(c, j, slot, value);
 #if DIM == 3
     for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) {
-            const int32_t status =
-                body_moment_tangent(c, j, c->factors.lu->body_moment_slot + 81 * j, value);
-            if (status) return status;
+        const int32_t status =
+            body_moment_tangent(c, j, c->factors.lu->body_moment_slot + 81 * j, value);
+        if (status) return status;
     }
 #endif
     return HOLONOM_OK;

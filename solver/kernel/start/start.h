@@ -140,8 +140,8 @@ static int32_t derive_scales(context *c)
 #define AT_STATE_PENALTY 1e8
 
 /* Context of the equations of solve_at_state, with links at the present state: a tangent without a
-   step. */
-static context rows_at_state(const context *c)
+   step. Multipliers become 0. */
+static context equations_at_state(const context *c)
 {
     context rows = *c;
     rows.factors.lu = &c->m->full;
@@ -151,9 +151,15 @@ static context rows_at_state(const context *c)
     rows.view.row = c->view.all_row, rows.view.composite = c->view.all_composite;
     rows.view.rows = c->view.all_rows, rows.view.composites = c->view.all_composites;
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    return rows;
+}
+
+/* Likewise for new factors: epsilon becomes the compliances of the rows. */
+static context rows_at_state(const context *c)
+{
     for (int32_t i = 0; i < c->m->n_rows; i++)
         c->k.epsilon[i] = 1.0 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
-    return rows;
+    return equations_at_state(c);
 }
 
 /* Their number, and they: multipliers of rows that are on. */
@@ -183,7 +189,7 @@ static int32_t factorise_at_state(const context *c)
    iterated so that dependent rows do no harm. */
 static void solve_with_factors(const context *c)
 {
-    const context rows = rows_at_state(c); /* mu = 0 */
+    const context rows = equations_at_state(c);
     const int32_t *on = rows_on(c), n = *on++, *position = rows.factors.lu->row_position;
     double largest = 0.0, change = INFINITY;
     EACH_ROW(&rows, i) c->k.rhs[position[i]] = 0.0;
