@@ -365,6 +365,32 @@ def test_touching_balls_part_by_the_law_of_impact_that_the_scene_asks_for(law, a
     assert hit == ([1.0] * 4 if law == "sequential" else [1.0, 0.0, 0.0, 0.0])
 
 
+@pytest.mark.parametrize(
+    ("friction", "restitution", "after"),
+    [(0.0, 1.0, [0.0] * 69 + [1.0]), (0.1, 1.0, [0.0] * 69 + [1.0]), (0.1, 0.0, [1 / 70] * 70)],
+)
+def test_a_hit_goes_through_seventy_balls_one_by_one(friction, restitution, after):
+    """Equal balls change their rates, one after the other, or go on together."""
+    balls = {f"b{k}": {"position": [k, 0], "mass": 0.5} for k in range(70)}
+    balls["b0"]["velocity"] = [1.0, 0.0]
+    pairs = {
+        f"c{k}": {
+            "type": "sphere",
+            "points": [f"b{k}", f"b{k + 1}"],
+            "radii": [0.5, 0.5],
+            "restitution": restitution,
+            "friction": friction,
+        }
+        for k in range(69)
+    }
+    content = mechanism("balls", 2, gravity=False, points=balls, contacts=pairs)
+    integrator = begin(content, 0.01, impact_law="sequential", **STEPPED)
+    passed = cover(integrator, even(0.05, 0.01))
+    rates = [number(integrator, f"b{k}.vx") for k in range(70)]
+    assert rates == pytest.approx(after, abs=1e-12)
+    assert passed.error <= CLOSURE
+
+
 def test_the_last_ball_of_a_cradle_swings_as_far_as_the_first_one_did():
     """By energy; when it comes to rest, half a period of a pendulum, with its elliptic integral."""
     half = 2 * special.ellipk(math.sin(0.3) ** 2) * math.sqrt(0.5 / 9.81)

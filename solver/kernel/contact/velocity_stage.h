@@ -8,7 +8,8 @@
    wherever in the half step it falls.
 
    In islands where none lands, what holds has no rate. That is so, too, where so much touches that
-   the path of an impact takes longer than the step: landing contacts then part with rates f e
+   the path of an impact takes longer than the step, or hits one by one do not end: landing
+   contacts then part with rates f e
    |g'_0|, without friction, such that e^2 of what both stages take with f = 0 is given back. */
 #ifndef HOLONOM_VELOCITY_STAGE_H
 #define HOLONOM_VELOCITY_STAGE_H
@@ -92,7 +93,8 @@ static int collect_landing(const context *c, hit *x, int32_t island, double *tak
         *taken += own->taken;
         if (c->m->contact_friction[i] >= 0) *rubbed += c->k.rubbed[c->m->contact_friction[i]];
     }
-    if (!add_joints_to_hit(c, x) || x->law.rows > MANY_ROWS) return 0;
+    const int one_by_one = c->s.head[S_IMPACT_LAW] != 0.0;
+    if (!add_joints_to_hit(c, x) || (x->law.rows > MANY_ROWS && !one_by_one)) return 0;
     for (int32_t k = 0; k < x->law.contacts; k++) {
         const int32_t i = x->contact[k], first = x->first[k];
         for (int32_t r = first; r <= first + x->tangents[k]; r++) {
@@ -248,6 +250,14 @@ static void end_landing(context *c, const hit *x)
     }
 }
 
+/* Lets the contacts that land in that island part without friction, in the other stage. */
+static void let_land_among_many(const context *c, int32_t island)
+{
+    EACH_CONTACT(c, i)
+        if (is_of_island(c, c->m->contact_row[i], island))
+            touch_of(c, i)->lands = touch_of(c, i)->lands == LANDS ? LANDS_AMONG_MANY : IS_HELD;
+}
+
 /* The impact of an island in which contacts land, or its friction that was deferred. */
 static int32_t land(context *c, int32_t island)
 {
@@ -258,9 +268,7 @@ static int32_t land(context *c, int32_t island)
     hit x;
     map_hit(c, &x);
     if (!collect_landing(c, &x, island, &taken, &rubbed)) {
-        EACH_CONTACT(c, i)
-            if (is_of_island(c, c->m->contact_row[i], island))
-                touch_of(c, i)->lands = touch_of(c, i)->lands == LANDS ? LANDS_AMONG_MANY : IS_HELD;
+        let_land_among_many(c, island);
         return HOLONOM_OK;
     }
     memcpy(c->k.rest_modes, c->s.contacts, modes);
@@ -270,6 +278,12 @@ static int32_t land(context *c, int32_t island)
     if (!status) {
         take_out(c, &x, taken + rubbed, lands);
         status = solve_landing(c, &x) ? HOLONOM_IMPACT_UNSOLVED : HOLONOM_OK;
+    }
+    if (status == HOLONOM_IMPACT_UNSOLVED && x.law.rows > MANY_ROWS) {
+        add_defect(c, -1.0);
+        memcpy(c->s.contacts, c->k.rest_modes, modes);
+        let_land_among_many(c, island);
+        return HOLONOM_OK;
     }
     for (int32_t r = 0; r < x.law.rows; r++) x.law.impulse[r] -= x.out[r];
     if (!status) status = apply_impulses(c, &x, kinetic);

@@ -436,14 +436,20 @@ static holonom_watch *begin_watch(holonom_instance *i)
     return i->watch.look ? &i->watch : NULL;
 }
 
-/* Remarks on what moved far, as a line of its own. */
-static void remark_on_closing(holonom_instance *i)
+/* Remarks on what moved far, and on the law that impacts at the start have, as lines of their
+   own. */
+static void remark_on_start(holonom_instance *i, int has_moved)
 {
     hm_text *remarks = open_remarks(i);
-    const size_t end = remarks->used;
-    begin_line(remarks);
-    if (hm_say_closing(remarks, &i->file, i->numbers, &i->s)) i->has_remarks = 1;
-    else hm_take_back(remarks, end);
+    for (int what = 0; what < 2; what++) {
+        const size_t end = remarks->used;
+        begin_line(remarks);
+        const size_t begin = remarks->used;
+        if (what == 1) hm_say_newton(remarks, i->s.head, "at the start");
+        else if (has_moved) hm_say_closing(remarks, &i->file, i->numbers, &i->s);
+        if (remarks->used > begin) i->has_remarks = 1;
+        else hm_take_back(remarks, end);
+    }
 }
 
 int32_t holonom_assemble(holonom_instance *i)
@@ -473,7 +479,7 @@ int32_t holonom_assemble(holonom_instance *i)
     i->phase = HOLONOM_ASSEMBLED;
     const int has_moved =
         i->s.head[S_ASSEMBLE] != 0.0 || m->n_signals > 0; /* drivers change velocities, at least */
-    if (has_moved && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
+    remark_on_start(i, has_moved && i->s.head[S_EQUILIBRIUM] == 0.0);
     return done(i);
 }
 
@@ -505,8 +511,10 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     hm_clear(&at_fault);
     hm_say_fault(&at_fault, &i->file, i->numbers, head, status);
     evaluate(i);
-    answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t,
-           step > longest ? longest : step, i->at_fault, hm_about_step(status));
+    answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: ", t,
+           step > longest ? longest : step);
+    if (hm_say_strong_friction(&i->message, &i->file, i->numbers, status)) return HOLONOM_FAILED;
+    hm_say(&i->message, "%s%s", i->at_fault, hm_about_step(status));
     hm_say_far_apart(&i->message, &i->file, i->numbers, status);
     return HOLONOM_FAILED;
 }

@@ -276,6 +276,30 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
                heavy.text, mass[heaviest] / mass[lightest], light.text);
 }
 
+/* Friction from here on keeps no digit of what sliding changes of the forces of a step. */
+static const double STRONG_FRICTION = 1e5;
+static const double STRONG_ENOUGH = 1e3; /* what holds as well, in any scene */
+
+int hm_say_strong_friction(hm_text *text, const hm_model_file *f, const double *numbers,
+                           int32_t status)
+{
+    const holonom_model *m = &f->model;
+    const double *coefficient = numbers + m->static_at;
+    int32_t worst = -1;
+    if (!HM_CONTACTS || !(lacks_solution(status) || status == HOLONOM_CONTACT_UNDECIDED)) return 0;
+    for (int32_t k = 0; k < m->n_frictions; k++)
+        if (coefficient[k] >= STRONG_FRICTION && (worst < 0 || coefficient[k] > coefficient[worst]))
+            worst = k;
+    if (worst < 0) return 0;
+    const int32_t row = m->n_form_rows + DIM * m->n_coincidences - m->n_elements
+                        + m->friction_row[m->friction_row_ptr[worst]];
+    hm_say(text,
+           "%s: a friction of %6g is so strong that the forces of a step keep no digits; one of %6g "
+           "holds as well, and a joint holds whatever comes",
+           f->text + f->row[row].name, coefficient[worst], STRONG_ENOUGH);
+    return 1;
+}
+
 void hm_say_steps(hm_text *text, const double *head, int is_explicit)
 {
     const double tolerance = hm_tolerance(head), order = head[S_ORDER];
@@ -339,16 +363,15 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     return 0;
 }
 
-/* Says that the law of impact found no path, and which law stood in. */
-static void say_newton(hm_text *text, const double *head)
+void hm_say_newton(hm_text *text, const double *head, const char *when)
 {
     if (!HM_CONTACTS || head[S_NEWTON_IMPACTS] == 0.0) return;
     hm_say(text,
-           "%6g impacts of this step have Newton's restitution, lowered until no energy arises, "
+           "%6g impacts %s have Newton's restitution, lowered until no energy arises, "
            "since the energetic law found no impulses "
            "(solver.newton_impacts counts them); contacts that hold the same thing twice and "
            "strong friction make that likely",
-           head[S_NEWTON_IMPACTS]);
+           head[S_NEWTON_IMPACTS], when);
 }
 
 /* Says that friction acted at the ends of pieces of half steps. */
@@ -513,7 +536,7 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
         int lasting = 1;
         if (what == REMARK_ORDER) lasting = say_order_limit(text, f, numbers, s->head);
         else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
-        else if (what == REMARK_NEWTON) say_newton(text, s->head);
+        else if (what == REMARK_NEWTON) hm_say_newton(text, s->head, "of this step");
         else if (what == REMARK_DEFERRED) say_deferred(text, s->head);
         else if (what == REMARK_SAMPLING) say_missed_load(text, f, s);
         else if (s->head[S_COARSENESS] > HOLONOM_MOST_COARSENESS

@@ -47,6 +47,14 @@ int hm_say_node(hm_text *text, const hm_model_file *file, int32_t node);
 void hm_say_far_apart(hm_text *text, const hm_model_file *file, const double *numbers,
                       int32_t status);
 
+/* Says, in place of what keeps a step from being solved, which friction is too strong; whether one
+   is. */
+int hm_say_strong_friction(hm_text *text, const hm_model_file *file, const double *numbers,
+                           int32_t status);
+
+/* Says that the law of impact found no path, and which law stood in; nothing if it found all. */
+void hm_say_newton(hm_text *text, const double *head, const char *when);
+
 /* A start that has ended: residuals of rows and their rates in the state, and what rows lack in the
    core's last try (n_rows each). */
 typedef struct hm_start {
