@@ -112,6 +112,7 @@ def test_friction_beyond_all_digits_is_said():
     said: list[str] = []
     model = solver.assemble(solver.loads(json.dumps(sliding_box(1e12)), format="json"))
     integrator = solver.Integrator(model, log=said.append)
+    integrator.initialise()
     assert integrator["solver.newton_impacts"] == 1.0
     assert any("1 impacts at the start have Newton's restitution" in line for line in said)
     assert integrator["energy.kinetic"] < 0.5 * 24.0 * (1.0**2 + 0.3**2)

@@ -294,8 +294,8 @@ int hm_say_strong_friction(hm_text *text, const hm_model_file *f, const double *
     const int32_t row = m->n_form_rows + DIM * m->n_coincidences - m->n_elements
                         + m->friction_row[m->friction_row_ptr[worst]];
     hm_say(text,
-           "%s: a friction of %6g is so strong that the forces of a step keep no digits; one of %6g "
-           "holds as well, and a joint holds whatever comes",
+           "%s: a friction of %6g is so strong that the forces of a step keep no digits; "
+           "one of %6g holds as well, and a joint holds whatever comes",
            f->text + f->row[row].name, coefficient[worst], STRONG_ENOUGH);
     return 1;
 }
