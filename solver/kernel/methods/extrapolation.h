@@ -143,7 +143,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged, 
     } else if (c->tolerance > 0.0 && status != HOLONOM_DAMPING_REVERSED)
         return status;
     take_state(c, c->k.finest);
-    c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;
+    c->s.head[S_AS_PAIRS] += !is_judged;
     result->finest = covers;
     return HOLONOM_OK;
 }
