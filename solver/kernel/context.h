@@ -317,9 +317,9 @@ static inline const holonom_elimination *lean_factors(const context *c)
 }
 
 /* Copies the state to a backup, and back. */
-static void keep_state(const context *c, double *backup)
+HM_CALLED static void keep_state(const context *c, double *backup)
 { memcpy(backup, c->s.head, sizeof(double) * (size_t)c->state_size); }
-static void take_state(context *c, const double *backup)
+HM_CALLED static void take_state(context *c, const double *backup)
 { memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
 
 static inline int is_seeking(const context *c) { return c->step.theta != 0.5; }
