@@ -5,13 +5,6 @@
 #include "newton.h"
 #include "predict.h"
 
-/* Length of usual steps: what a tolerance wants may be far from the option step_size. */
-static inline double usual_length(const context *c)
-{
-    const double *head = c->s.head;
-    return c->tolerance > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
-}
-
 /* Round-off of the coordinates in the mass norm. */
 static inline double round_off_of_places(const context *c)
 { return 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]; }
