@@ -240,10 +240,8 @@ static int32_t solve_step(context *c, int parity)
         effort own = {0, 0};
         look_at_part(c, part, parts);
         status = solve_island(c, parity, &own);
-        if (status && reads_the_step(c)) {
-            c->laws.foretells = 1;
-            sense(c, c->h, parity);
-            hm_run_tape(c->m, c->number, 1);
+        if (status == HOLONOM_NEWTON_DIVERGED && reads_the_step(c) && c->secants.count) {
+            forget_secants(c); /* which may be of laws that have changed */
             status = solve_island(c, parity, &own);
         }
         take_all_rows(c);
