@@ -336,7 +336,7 @@ value = ["{text} - {k}*A.x - {damping}*A.vx", "{across} - {k}*A.y"]
         law,
         (x, y, u, v),
         rates,
-        lambda _t, s, _sides: s,
+        lambda _t, s, _sides: s.tolist(),
         read,
     )
 
@@ -437,7 +437,7 @@ def of_double_pendulum(law: Law, _chance: random.Random, stop: float, points: in
     force = compiled(code, law.quantities)
     a, b, v, w = (law.number(-1, 1) for _ in range(4))
 
-    def values(_t: float, s: Sequence[float], _sides: Any = None) -> Sequence[float]:
+    def values(_t: float, s: Any, _sides: Any = None) -> Sequence[float]:
         a, b, v, w = s
         x, y, u, z = math.sin(a), -math.cos(a), v * math.cos(a), v * math.sin(a)
         return (
@@ -468,7 +468,7 @@ f = {{ type = "force", point = "B", value = ["{text}", 0] }}
 """
 
     def read(t: float, s: Array) -> Sequence[float]:
-        x = values(t, s)  # type: ignore[arg-type]
+        x = values(t, s)
         return x[0], x[4], x[2], x[6]
 
     def rates(t: float, s: Array, sides: list[float]) -> Sequence[float]:
