@@ -24,6 +24,8 @@ Array = NDArray[np.float64]
 GRAVITY = 9.81
 MOST_CROSSINGS = 300
 """Of a run that is compared."""
+MOST_EVALUATIONS = 200_000
+"""Of a law in its references: where it has no finite slope they end nowhere."""
 LATER = 1e-7
 """Time after a crossing at which the other side tells whether it leads on [s]."""
 
@@ -56,6 +58,14 @@ class Law:
     quantities: Sequence[str]
     """Names of a scene that it may read besides t."""
     switches: list[Switch] = field(default_factory=list)
+    evaluations: int = 0
+    """So far, in references."""
+
+    def count(self) -> None:
+        """Count an evaluation."""
+        self.evaluations += 1
+        if self.evaluations > MOST_EVALUATIONS:
+            raise UnfitError
 
     def number(self, low: float, high: float) -> float:
         """A number of a few digits, so that text and Python agree."""
@@ -283,8 +293,13 @@ class Case:
 
                 events.append(_Beyond(argument, sides, k, level, way))
                 which.append((k, way))
+
+        def rates(t: float, y: Array) -> Sequence[float]:
+            self.law.count()
+            return self.rates(t, y, sides)
+
         run = solve_ivp(
-            lambda t, y: self.rates(t, y, sides), (t, cut), y, method="DOP853", rtol=1e-11,
+            rates, (t, cut), y, method="DOP853", rtol=1e-11,
             atol=1e-13, max_step=0.02, events=events or None, dense_output=True,
         )  # fmt: skip
         if run.status < 0:
