@@ -24,6 +24,8 @@ Array = NDArray[np.float64]
 GRAVITY = 9.81
 MOST_CROSSINGS = 300
 """Of a run that is compared."""
+MOST_EVALUATIONS = 200_000
+"""Of a law in its references: where it has no finite slope they end nowhere."""
 LATER = 1e-7
 """Time after a crossing at which the other side tells whether it leads on [s]."""
 
@@ -56,6 +58,14 @@ class Law:
     quantities: Sequence[str]
     """Names of a scene that it may read besides t."""
     switches: list[Switch] = field(default_factory=list)
+    evaluations: int = 0
+    """So far, in references."""
+
+    def count(self) -> None:
+        """Count an evaluation."""
+        self.evaluations += 1
+        if self.evaluations > MOST_EVALUATIONS:
+            raise UnfitError
 
     def number(self, low: float, high: float) -> float:
         """A number of a few digits, so that text and Python agree."""
@@ -283,8 +293,13 @@ class Case:
 
                 events.append(_Beyond(argument, sides, k, level, way))
                 which.append((k, way))
+
+        def rates(t: float, y: Array) -> Sequence[float]:
+            self.law.count()
+            return self.rates(t, y, sides)
+
         run = solve_ivp(
-            lambda t, y: self.rates(t, y, sides), (t, cut), y, method="DOP853", rtol=1e-11,
+            rates, (t, cut), y, method="DOP853", rtol=1e-11,
             atol=1e-13, max_step=0.02, events=events or None, dense_output=True,
         )  # fmt: skip
         if run.status < 0:
@@ -336,7 +351,7 @@ value = ["{text} - {k}*A.x - {damping}*A.vx", "{across} - {k}*A.y"]
         law,
         (x, y, u, v),
         rates,
-        lambda _t, s, _sides: s,
+        lambda _t, s, _sides: s.tolist(),
         read,
     )
 
@@ -437,7 +452,7 @@ def of_double_pendulum(law: Law, _chance: random.Random, stop: float, points: in
     force = compiled(code, law.quantities)
     a, b, v, w = (law.number(-1, 1) for _ in range(4))
 
-    def values(_t: float, s: Sequence[float], _sides: Any = None) -> Sequence[float]:
+    def values(_t: float, s: Any, _sides: Any = None) -> Sequence[float]:
         a, b, v, w = s
         x, y, u, z = math.sin(a), -math.cos(a), v * math.cos(a), v * math.sin(a)
         return (
@@ -468,7 +483,7 @@ f = {{ type = "force", point = "B", value = ["{text}", 0] }}
 """
 
     def read(t: float, s: Array) -> Sequence[float]:
-        x = values(t, s)  # type: ignore[arg-type]
+        x = values(t, s)
         return x[0], x[4], x[2], x[6]
 
     def rates(t: float, s: Array, sides: list[float]) -> Sequence[float]:
