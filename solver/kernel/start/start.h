@@ -38,8 +38,8 @@ static double left_by_updates(const context *c)
     return size2 > 0.0 ? sqrt(left2 / size2) : 0.0;
 }
 
-/* Whether a row's pivot, by the factors at hand at the state, is no more than a hundred times that of a
-   dependent row, epsilon. */
+/* Whether a row's pivot, by the factors at hand at the state, is no more than a hundred times that
+   of a dependent row, epsilon. */
 static int has_small_pivot(const context *c)
 {
     const holonom_elimination *lu = c->factors.lu;
