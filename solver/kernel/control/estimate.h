@@ -3,8 +3,8 @@
    The difference from a solution of lower order r, e ~ (omega h)^(r+1), tells how fast the motion
    changes, and with it the error of the step's own order p, (omega h)^(p+1) times a mean over
    mechanisms. Of explicit steps that solution has other weights, of weighted covers it has all but
-   the coarsest one. Pairs have none: the rate of their accelerations tells. Light nodes are hidden by
-   the mass norm, and count by themselves. */
+   the coarsest one. Pairs have none: the rate of their accelerations tells. The mass norm hides
+   light nodes, which count by themselves. */
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
