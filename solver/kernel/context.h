@@ -122,12 +122,11 @@ typedef struct friction_at_hand {
     const double *cone_mu;
 } friction_at_hand;
 
-/* What laws read: whether it is the increment that is solved for, see inputs_signals.h, or a
-   prediction of it, since it had no solution; where the communication step begins [s], for inputs
-   that move, and whether held inputs have jumped by what samples of a smooth course do, see
-   advance.h. */
+/* What laws read: whether it is the increment that is solved for, see sensors.h; where the
+   communication step begins [s], for inputs that move, and whether held inputs have jumped by what
+   samples of a smooth course do, see advance.h. */
 typedef struct law_inputs {
-    int reads, foretells;
+    int reads;
     double start;
     int are_samples;
 } law_inputs;
@@ -317,9 +316,9 @@ static inline const holonom_elimination *lean_factors(const context *c)
 }
 
 /* Copies the state to a backup, and back. */
-static void keep_state(const context *c, double *backup)
+HM_CALLED static void keep_state(const context *c, double *backup)
 { memcpy(backup, c->s.head, sizeof(double) * (size_t)c->state_size); }
-static void take_state(context *c, const double *backup)
+HM_CALLED static void take_state(context *c, const double *backup)
 { memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
 
 static inline int is_seeking(const context *c) { return c->step.theta != 0.5; }
@@ -362,7 +361,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->step.constraints_only = c->step.careful = c->step.at_state = c->step.damped =
         c->step.at_fault = c->laws.are_samples = c->friction.slides = c->friction.soft =
             c->factors.may_share = 0;
-    c->step.changes_contacts = c->laws.reads = c->laws.foretells = c->step.n_kept_forces =
+    c->step.changes_contacts = c->laws.reads = c->step.n_kept_forces =
         c->friction.is_deferred = c->view.may_fall_asleep = c->step.rows_known = 0;
     for (int32_t f = 0; f < n_frictions(m); f++)
         c->friction.slides |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;

@@ -29,6 +29,14 @@
 #define HM_OFTEN static inline
 #endif
 
+/* Functions that stay calls: in one that is seldom entered GCC would copy by the processor's own
+   loop, which takes up to twice as long as a call for states of small mechanisms. */
+#if defined(__GNUC__)
+#define HM_CALLED __attribute__((noinline))
+#else
+#define HM_CALLED
+#endif
+
 /* Short loops stay loops. GCC makes calls of memset and memcpy of those that clear or copy, which
    costs small mechanisms a tenth of a step, and saves large ones nothing that could be measured.
    Short loops over coordinates are unrolled, which saves up to a tenth; instructions stay in the

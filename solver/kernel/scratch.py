@@ -80,6 +80,7 @@ WORK = {
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
     "kept_forces": "16 * n_rows * unilateral", "kept_time": "16",  # of the step, see keep_forces
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts, see event_functions.h
+    "gap_rates": "n_contacts",  # of closed ones before a short piece, see keep_gap_rates
     "event_backup": "n_state * unilateral",  # before a step that events may cut
     "touch": "7 * n_contacts",  # see half_step_contacts.h
     "flips": "n_frictions",  # changes of mode in the half step

@@ -34,6 +34,8 @@ MOST_PRODUCTS = 5_000_000
 """Products of one factorisation that every mechanism may need."""
 MOST_OF_A_NET = 150
 """Products over n^1.5, of n unknowns, that a large one may need; nets of springs need 110."""
+ROWS_OF_A_PILE = 10
+"""Rows of contacts and frictions over coordinates from which on other rows are not tried first."""
 
 NO_JOINT, GROUND = -2, -1
 
@@ -312,12 +314,16 @@ def block_order(graph: Graph) -> list[int]:
     Each of n balls may touch each other one, so that their rows are n^2/2, of which few hold at a
     time. Between the nodes they would fill the whole pattern. Eliminated first, a row adds the four
     or so products of its own nodes. Iterations lose the digits that this costs, not the solution.
+    So they come first where they are many more than the coordinates, or take too many products.
 
     Raises
     ------
     AssemblyError
         When the factorisation would need too many products.
     """
+    coordinates = sum(graph.sizes[: graph.n_nodes])
+    if sum([graph.sizes[row] for row in graph.loose]) > ROWS_OF_A_PILE * coordinates:
+        return _order(graph, graph.loose)
     try:
         return _order(graph, frozenset())
     except AssemblyError:
@@ -359,7 +365,8 @@ def _order(graph: Graph, loose: frozenset[int]) -> list[int]:
         order.append(block)
         children[parent.get(block)] -= 1
         left -= weight[block] * degree[block] ** 2
-        if left < 0:
+        # Its neighbours are neighbours of each other now, whatever their own order will be.
+        if left < degree[block] ** 3 / 3:
             raise AssemblyError(_too_dense(graph))
         waiting.discard(block)
         if block < graph.n_nodes:

@@ -279,7 +279,7 @@ class Mechanism:
         points = [node.position for node in self.nodes if node.kind == layout.NODE_POINT]
         return [*zip(*([self.default(x) for x in position] for position in points), strict=True)]
 
-    @property
+    @cached_property
     def round_off(self) -> float:
         """Distance of places that the round-off of a drawing explains [m]."""
         return layout.ONE_PLACE * (1.0 + max(abs(x) for column in self._columns for x in column))

@@ -295,7 +295,7 @@ HEAD = (
     "longest_explicit",  # step that resolves springs and dampers, see force_rates.h
     "unspent",  # of what steps so far might add to the error of the run, over the tolerance
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
-    "as_pairs",  # steps in it whose higher order would have let a loss give energy
+    "as_pairs",  # steps in it that were to be of a higher order, and are pairs of half steps
     "ledger_error",
     "equal_steps", "equal_time",  # of the run: their number, and how long they lasted [s]
     "looks", "least_place", "least_angle",  # at some of them, see coarseness.h

@@ -119,7 +119,8 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
         "error_estimate": "estimated error of the run so far, relative to size and speed as a "
         "tolerance is, of equal steps over the size or in rad; 0 where nothing estimates it",
         "as_pairs": "steps of the last communication step taken as pairs of half steps, of order "
-        "2, since a damper or friction would have given energy at their order",
+        "2, since a damper or friction would have given energy at their order, or equal steps are "
+        "too long for it",
         "sampling": "for forces that read the motion: part of their work that they missed, as they "
         "are evaluated once in a half step; above 1 the step is too long",
         "coarseness": "of equal steps so far: largest turn of a body in one, or without contacts "

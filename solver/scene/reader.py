@@ -42,6 +42,8 @@ from solver.scene.words import did_you_mean
 
 _MOVING = ("parameters", "points", "bodies")
 """Tables whose numbers say where bodies and their points are."""
+_MANY_OBJECTS = 200_000
+"""Objects that the garbage collector would look at for more than some 10 ms."""
 
 
 @contextmanager
@@ -50,7 +52,8 @@ def collector_paused() -> Iterator[None]:
 
     A large scene is millions of objects that all stay. Python's cyclic garbage collector would look
     at every one of them again and again: for 10^5 points that is a third of the time. In the end
-    they are put with the old ones; it would look at all of them at once otherwise.
+    many are put with the old ones; it would look at all of them at once otherwise. Of few that
+    costs nothing, while to ask whether a caller has frozen objects is to count them all.
     """
     running = gc.isenabled()
     gc.disable()
@@ -58,7 +61,7 @@ def collector_paused() -> Iterator[None]:
         yield
     finally:
         if running:
-            if not gc.get_freeze_count():
+            if gc.get_count()[0] > _MANY_OBJECTS and not gc.get_freeze_count():
                 gc.freeze()
                 gc.unfreeze()
             gc.enable()

@@ -40,11 +40,12 @@ def body(
     return BODY.format(name=name, inertia=[*map(float, inertia)], spin=[*map(float, spin)], **shown)
 
 
-def flight(*parts: str, tolerance: float, stop: float, gravity: float = 0.0) -> Integrator:
+def flight(
+    *parts: str, tolerance: float, stop: float, gravity: float = 0.0, method: str = "fastest"
+) -> Integrator:
     head = f'name = "flight"\ngravity = [0, 0, {-gravity}]\n'
-    tail = (
-        f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\nmethod = 'fastest'\n"
-    )
+    tail = f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\n"
+    tail += f"method = '{method}'\n"
     run = Integrator(solver.assemble(solver.loads("\n".join((head, *parts, tail)))))
     run.initialise()
     return run
@@ -107,6 +108,32 @@ def test_a_spin_about_a_principal_axis_goes_on(axis: int) -> None:
         math.cos(angle) * other + math.sin(angle) * across, abs=1e-9
     )
     assert float(run["energy.error"]) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega"),
+    [
+        ([1, 2, 3], [1, 0, 0]),
+        ([1, 2, 3], [0, 1, 0]),
+        ([1, 2, 3], [0, 0, 1]),
+        ([2, 2, 2], [1, 2, 3]),
+    ],
+    ids=["least", "middle", "largest", "sphere"],
+)
+def test_covers_keep_a_steady_spin(inertia: list[int], omega: list[int]) -> None:
+    """No turn and no velocity changes its energy, and any beside it would be an error."""
+    axis = np.array(omega) / np.linalg.norm(omega)
+    across = np.cross(axis, [0.6, 0.0, 0.8])
+    across /= np.linalg.norm(across)
+    run = flight(body("b", inertia, omega), tolerance=1e-6, stop=18.0, method="conserving")
+    for k in range(40):
+        run.advance(0.45 * k, 0.45)
+        assert run["solver.order_in_use"] > 2.0
+    angle = 18.0 * float(np.linalg.norm(omega))
+    place = math.cos(angle) * across + math.sin(angle) * np.cross(axis, across)
+    assert spin(run) == pytest.approx(np.array(omega), abs=1e-12)
+    assert turned(run, across) == pytest.approx(place, abs=3e-6)
+    assert float(run["energy.error"]) < 1e-13
 
 
 def test_a_symmetric_top_precesses_steadily() -> None:

@@ -285,6 +285,43 @@ def test_steps_too_long_for_weights_are_left_of_order_two_and_that_is_said():
     assert sentence.startswith("solver.order is 4, but steps are of order 2")
 
 
+KICKED = """
+name = "kicked"
+dimension = 2
+[points]
+A = { position = [1.5, 0], mass = 1.0 }
+[forces]
+spring = { type = "spring", points = ["ground", "A"], at = [0, 0], stiffness = 9, free_length = 1 }
+brake = { type = "damper", points = ["ground", "A"], at = [0, 0], damping = 1.0 }
+kick = { type = "force", point = "A", value = ["100*exp(-((t - 0.3)/0.02)**2)", 0] }
+[solver]
+order = 4
+step_size = 0.25
+"""
+FAR_FLOOR = """
+[points.B]
+position = [0, 1e3]
+mass = 1.0
+[contacts]
+floor = { type = "plane", point = "B", axis = [0, 1] }
+"""
+
+
+@pytest.mark.parametrize("contacts", ["", FAR_FLOOR], ids=["none", "far"])
+def test_a_step_of_order_two_among_others_is_counted_and_said(contacts):
+    # The second of four equal steps has the kick, whose weights change it by more than its size.
+    said: list[str] = []
+    run = Integrator(solver.assemble(solver.loads(KICKED + contacts)), log=said.append)
+    counts = []
+    for _ in range(2):
+        run.advance(run.time, 1.0)
+        assert run["solver.order_in_use"] == 4.0  # of the last one
+        counts.append(float(run["solver.as_pairs"]))
+    assert counts == [1.0, 0.0]
+    (sentence,) = said
+    assert sentence.startswith("solver.order is 4, but steps are of order 2: dampers take energy")
+
+
 def test_springs_that_a_tolerance_leaves_unresolved_are_named_and_no_losses():
     # 1e4 rad/s beside a pendulum of 1 s: nothing takes energy out.
     said: list[str] = []

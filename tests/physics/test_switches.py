@@ -251,6 +251,17 @@ def test_a_switch_that_is_crossed_there_and_back_before_another_one_is_seen(meth
 
 
 @pytest.mark.parametrize("method", METHODS)
+def test_a_level_is_seen_that_is_crossed_there_and_back_before_the_other_one_in_a_step(method):
+    """It goes up through x = 0.12, pulled by 2 there, and down through 0, where nothing pulls."""
+    v = math.sqrt(2 * 0.0601)
+    u = math.sqrt(v * v - 2 * 0.06)
+    down = math.sqrt(u**2 + 2 * 0.12)
+    found = moved("-1 - floor(A.x/0.12)", method, stop=1.0, step=1.0, x=0.06, v=v)
+    until = (v - u) + u + (down - u)
+    assert found == pytest.approx((-down * (1 - until), -down), abs=1e-12)
+
+
+@pytest.mark.parametrize("method", METHODS)
 def test_a_level_that_is_touched_there_and_back_in_a_step_is_seen(method):
     """A step of 1 above x = 0.12 alone, where it turns: there and back it is pulled by 2."""
     v = math.sqrt(0.25 - 2 * 0.12)

@@ -546,6 +546,35 @@ def test_a_step_that_weights_change_too_much_is_divided_and_keeps_its_order(tole
     assert narrow["A.x"] == pytest.approx(1.5 + x, abs=1e-4)
 
 
+CIRCLING = """
+name = "circling"
+dimension = 2
+[points]
+A = {{ position = [1.25, 0], velocity = [0, {speed!r}], mass = 1.0 }}
+[forces]
+s = {{ type = "spring", points = ["ground", "A"], at = [0, 0], stiffness = 40, free_length = 1 }}
+"""
+
+
+@pytest.mark.parametrize("order", [4, 6, 8])
+@pytest.mark.parametrize("quicker", [1.0, 1.0001])
+def test_a_point_that_circles_on_a_spring_keeps_the_order_and_the_energy(order, quicker):
+    # 40 (1.25 - 1) N = 1 kg 8/s2 1.25 m. All of its velocity is that of the angular momentum, or
+    # nearly all: nothing is left that could bring the energy back.
+    rate, tolerance = math.sqrt(8.0), 1e-6
+    run = Integrator(solver.assemble(solver.loads(CIRCLING.format(speed=1.25 * rate * quicker))))
+    run["solver.tolerance"], run["solver.order"] = tolerance, order
+    for _ in range(50):
+        run.advance(run.time, 0.2)
+        assert run["solver.order_in_use"] == order
+        assert run["solver.as_pairs"] == 0.0
+    assert abs(float(run["energy.balance"])) < 1e-12  # of 7.5 J
+    place = [float(run["A.x"]), float(run["A.y"])]
+    if quicker == 1.0:
+        on_circle = 1.25 * math.cos(10.0 * rate), 1.25 * math.sin(10.0 * rate)
+        assert place == pytest.approx(on_circle, abs=3.0 * 1.25 * tolerance)
+
+
 @pytest.mark.parametrize("order", [0, 4, 8])
 def test_steps_do_not_shrink_where_dampers_bring_a_mechanism_to_rest(order):
     # Without velocities no energy can be brought onto the ledger by them.

@@ -10,9 +10,11 @@ import pytest
 import solver
 from build_fmu.errors import UsageError
 from build_fmu.run import run_fmu
+from build_fmu.study.ssv import VALUES
 from solver.options import OPTIONS, REMOVED
 from solver.scene import SceneError
 from solver.trajectory import PAPER
+from tests.support.fmus.commands import run
 from tests.support.fmus.fmu_instance import scene_fmu
 
 SCENE = Path(__file__).resolve().parents[2] / "scenes" / "double_pendulum.toml"
@@ -34,6 +36,20 @@ def test_a_setting_of_before_says_where_it_went(name):
         solver.simulate(SCENE, parameters={f"solver.{name}": "exact"})
     with pytest.raises(UsageError, match=told):
         run_fmu(scene_fmu("double_pendulum"), settings={f"solver.{name}": "exact"})
+
+
+@pytest.mark.parametrize("kind", ["scene", "fmu"])
+def test_a_parameter_file_with_a_setting_of_before_is_told_where_it_went(capsys, tmp_path, kind):
+    parameters = tmp_path / "set.ssv"
+    parameters.write_text(
+        f'<ssv:ParameterSet xmlns:ssv="{VALUES}" version="1.0" name="set"><ssv:Parameters>'
+        '<ssv:Parameter name="solver.formulation"><ssv:String value="midpoint-al"/></ssv:Parameter>'
+        "</ssv:Parameters></ssv:ParameterSet>"
+    )
+    model = SCENE if kind == "scene" else scene_fmu("double_pendulum")
+    code, _, told = run(capsys, "simulate", model, "--parameters", parameters)
+    assert code == 2
+    assert LEFT.format("formulation") + REMOVED["formulation"] in told
 
 
 def test_no_setting_is_both_there_and_gone():

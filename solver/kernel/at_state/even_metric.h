@@ -5,7 +5,7 @@
 #ifndef HOLONOM_EVEN_METRIC_H
 #define HOLONOM_EVEN_METRIC_H
 
-#include "start.h"
+#include "equations_at_state.h"
 
 /* Multiplies masses of free nodes by squares of `factor`, or divides them. */
 static void scale_masses(const context *c, const double *factor, int back)

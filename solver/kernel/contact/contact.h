@@ -208,7 +208,7 @@ HM_SELDOM static int32_t evaluate_forces(context *c)
     for (int32_t f = 0; f < c->m->n_frictions; f++)
         if (is_smooth(c, f) && friction_mode(c, f) == FRICTION_SLIDES) guess_friction(c, f);
     const int32_t status = accelerations(c, c->k.event_mu);
-    c->factors.may_share = has_small_pivot(c, c->factors.lu);
+    c->factors.may_share = has_small_pivot(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
     quantities_at_state(c);
     return status;

@@ -25,8 +25,9 @@ static int32_t add_push(const context *c, int32_t i, double factor)
 
 /* Finds all modes at once: accelerations of contacts at rest, with forces for impulses, obey what
    contact_solver.h solves. Those slide and part that do so with these accelerations. With `begun`,
-   frictions that have been let slide go on, along their way. */
-static int32_t find_modes_by_law(context *c, int begun)
+   frictions that have been let slide go on, along their way. With `pushes` only contacts that push
+   are closed: one that neither pushes nor parts is held by others, to the digits that W has. */
+static int32_t find_modes_by_law(context *c, int begun, int pushes)
 {
     const holonom_model *m = c->m;
     const int64_t n = DIM * c->n_moving;
@@ -92,7 +93,7 @@ static int32_t find_modes_by_law(context *c, int begun)
     for (int32_t k = 0; k < law.contacts; k++) {
         const int32_t i = x.contact[k], f = m->contact_friction[i], t = x.first[k] + 1,
                       slips = x.tangents[k];
-        if (law.rate[t - 1] > FITS * largest) continue;
+        if (law.rate[t - 1] > FITS * largest || (pushes && !(law.p[t - 1] > 0.0))) continue;
         close_contact(c, i);
         if (f < 0 || slips == 0 || friction_mode(c, f) == FRICTION_OFF) continue;
         const double slip = hm_length(slips, law.rate + t);
@@ -121,6 +122,20 @@ static int cones_hold(const context *c, double none)
     return 1;
 }
 
+/* Likewise, where parts that hold something twice give way (hold_together). Forces of rows that
+   depend on each other nearly differ from those of the law: if its modes are those at hand, they
+   are not to be judged by these forces, unless contacts that do not push open. */
+HM_SELDOM static int32_t give_way_by_law(context *c, int begun)
+{
+    const size_t modes = sizeof(double) * (size_t)c->s.n_modes;
+    for (int pushes = 0; pushes < 2; pushes++) {
+        memcpy(c->k.rest_modes, c->s.contacts, modes);
+        const int32_t status = find_modes_by_law(c, begun, pushes);
+        if (status || memcmp(c->k.rest_modes, c->s.contacts, modes) != 0) return status;
+    }
+    return HOLONOM_CONTACT_UNDECIDED;
+}
+
 /* Changes modes one at a time until they agree with the forces, or with others that hold the
    same. */
 static int32_t agree_with_forces(context *c)
@@ -136,7 +151,7 @@ static int32_t agree_with_forces(context *c)
         if (status) return status;
         enum togetherness how = HOLD;
         if (is_beyond(c, none) && (status = hold_together(c, &how, NULL))) return status;
-        if (how == GIVE_WAY && (status = find_modes_by_law(c, together))) return status;
+        if (how == GIVE_WAY && (status = give_way_by_law(c, together))) return status;
         together |= how >= GIVE_WAY;
         if (how >= GIVE_WAY
             || (how == NOT_TOGETHER
@@ -169,7 +184,7 @@ static int32_t settle_modes(context *c)
     guess_modes(c);
     int32_t status = agree_with_forces(c);
     if (status == HOLONOM_CONTACT_UNDECIDED) {
-        status = find_modes_by_law(c, 0);
+        status = find_modes_by_law(c, 0, 0);
         if (!status) status = agree_with_forces(c);
     }
     if (!status) status = start_with_modes(c);

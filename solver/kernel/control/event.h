@@ -429,12 +429,38 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     return !status && !friction_takes_energy(c) ? HOLONOM_CONTACT_UNDECIDED : status;
 }
 
+/* Part of the speed of the fastest node by which the rate of a gap jumps past an edge: in a short
+   piece forces change it by some 1e-6 of that. */
+#define JUMP_AT_EDGE 1e-3
+
+/* Whether closed contacts have passed an edge in the short piece that ends here: the rate of their
+   gap has jumped. Longer steps across one fail, however often they are halved. Those whose surface
+   falls away there part; those that run into another one are hit. */
+HM_SELDOM static int part_at_edges(context *c)
+{
+    const double jump = fmax(JUMP_AT_EDGE * fastest_node(c), speed_tolerance(c));
+    int passed = 0;
+    evaluate_state(c);
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const double change = gap_rate(c, i) - c->k.gap_rates[i];
+        if (!is_closed(c, i) || !(fabs(change) > jump)) continue;
+        passed = 1;
+        blame(c, c->m->contact_row[i]);
+        if (change > 0.0) open_contact(c, i), contact_of(c, i)[C_PARTED] = 1.0;
+    }
+    return passed;
+}
+
 /* Likewise; changes modes there. */
 static int32_t end_piece(context *c, double t, double law_time, double h, double *covered)
 {
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
     int32_t status = cut_piece(c, t, law_time, h, covered);
     if (status) return status;
+    if (*covered == h && c->event.function < 0 && is_short(c, h) && part_at_edges(c)) {
+        if (!(c->s.head[S_EVENTS] < c->s.head[S_MAX_EVENTS])) return HOLONOM_TOO_MANY_EVENTS;
+        return settle(c);
+    }
     if (*covered == h && c->event.function < 0) {
         const int stops = follow_slips(c, high);
         copy_values(c, high, stops ? values_at(c, AT_TRIAL) : low);

@@ -174,7 +174,8 @@ HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
     double left[] = {way * (level - c->k.argument_begin[k]), way * (level - inside[1]),
                      way * (level - c->k.argument_high[k])};
     int tried = 0;
-    const int is_on = x->is_of_motion && !is_off(c, k, c->k.argument_high[k]);
+    const int is_on =
+        x->is_of_motion && (left[2] > 0.0 || !is_off(c, k, c->k.argument_high[k]));
     while (is_on && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
         double least;
         const double lowest = lowest_between(place, left, &least);
@@ -268,12 +269,25 @@ static double next_length(const context *c, const bracket *b, int trial, double 
     return trial % 2 ? behind : fmax(guess, b->low + 0.5 * round);
 }
 
-/* Whether a switch was seen off its side that is on it at the end of the last length behind one. */
-static int has_other_seen(const context *c)
+/* Whether the last step of a piece has seen switch k farther off its side than it is at the end. */
+static int was_farther_off(const context *c, const piece *x, int32_t k)
+{
+    const switch_place *place = switch_of(c, k);
+    const double side = c->s.side[k], *least = c->k.argument_least + 2 * k,
+                 *largest = c->k.argument_largest + 2 * k,
+                 before = x->t + (1.0 - NO_PIECE) * x->length,
+                 at_end = fmax(0.0, beyond_side(place->kind, c->k.argument_high[k], side));
+    return (least[0] < before && beyond_side(place->kind, least[1], side) > at_end)
+           || (largest[0] < before && beyond_side(place->kind, largest[1], side) > at_end);
+}
+
+/* Whether a switch was crossed there and back before the end of the last step of a piece, behind
+   another one or the same. */
+static int has_other_seen(const context *c, const piece *x)
 {
     for (int32_t k = 0; k < c->m->n_switches; k++)
         if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0
-            && !is_off(c, k, c->k.argument_high[k]))
+            && (!is_off(c, k, c->k.argument_high[k]) || was_farther_off(c, x, k)))
             return 1;
     return 0;
 }
@@ -320,7 +334,7 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
     }
     if (made != x->length || x->status) step_anew(c, x, x->length);
     if (x->status || b.failed || !(x->length > least)) return x->status;
-    const int is_seen = has_other_seen(c); /* another one was crossed there and back before */
+    const int is_seen = has_other_seen(c, x);
     const double turn = is_seen ? 0.5 * x->length : find_turns(c, x);
     if (turn == 0.0) return x->status;
     x->length = turn;

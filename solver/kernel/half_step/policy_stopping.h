@@ -77,28 +77,40 @@ static inline double allowed_energy(const context *c, const newton_record *r)
     return ENERGY_MARGIN * (c->s.head[S_NEWTON_TOLERANCE] * r->energy + r->noise);
 }
 
+/* Length of usual steps: what a tolerance wants may be far from the option step_size. */
+static inline double usual_length(const context *c)
+{
+    const double *head = c->s.head;
+    return c->tolerance > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
+}
+
+/* Energy that may be left where round-off ends an iteration. Pieces between events are as many as
+   they are short: each may leave its part of what a usual step may. */
+static inline double most_left(const context *c, const newton_record *r)
+{
+    const double part = is_unilateral(c->m) ? fmin(1.0, 2.0 * fabs(c->h) / usual_length(c)) : 1.0;
+    return part * ENERGY_LIMIT * c->s.head[S_NEWTON_TOLERANCE] * r->energy + r->noise;
+}
+
 /* Whether what is left of the increments and the energy that the residual adds are a margin below
    the tolerance; or below the tolerance, where round-off has stalled the contraction. Of the rows
    rows_hold asks. */
 static int has_converged(const context *c, const newton_record *r)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE],
-                 margin = r->factors.taken_over ? OLD_MARGIN : NEWTON_MARGIN;
+    const double margin = r->factors.taken_over ? OLD_MARGIN : NEWTON_MARGIN;
     const int stalled =
         r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
     const int is_short = increments_left(c, r) <= margin * r->target && !is_misled(r);
     if (!is_short && !stalled) return 0;
     const double added = residual_energy(c);
     if (is_short && added <= allowed_energy(c, r)) return 1;
-    return stalled && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    return stalled && added <= most_left(c, r);
 }
 
 /* Status of an iteration that has taken as many increments as it may. */
 static int32_t outcome_at_limit(const context *c, const newton_record *r)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
-    const int holds = r->eta <= r->target
-                      && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    const int holds = r->eta <= r->target && residual_energy(c) <= most_left(c, r);
     return holds ? HOLONOM_OK : HOLONOM_NEWTON_DIVERGED;
 }
 
@@ -132,9 +144,8 @@ static int rows_are_round_off(const context *c, const newton_record *r, double d
 static int is_stalled_round_off(const context *c, const newton_record *r, double defect,
                                 double last)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE],
-                 round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
-    return defect > 0.9 * last && defect <= tolerance && constraint_energy(c) <= round_off;
+    return defect > 0.9 * last && defect <= c->s.head[S_NEWTON_TOLERANCE]
+           && constraint_energy(c) <= most_left(c, r);
 }
 
 /* Status after as many updates of the multipliers as may be. */

@@ -15,6 +15,9 @@
 enum { MOST_SECANTS = 12 };
 #define SHOWN_BEFORE                                                                               \
     1e-6 /* part of a change that other pairs do not show already: less tells nothing new */
+#define OF_OTHER_LAWS                                                                              \
+    0.1 /* part of an increment that pairs which show its change do not explain: laws have changed \
+         */
 #define READ_ENOUGH                                                                                \
     1e-9 /* increment over the step below which laws stay as they were read last: Newton's         \
             iteration ends with them */
@@ -37,6 +40,9 @@ static inline void add_multiple(int32_t n, double factor, const double *x, doubl
     for (int32_t i = 0; i < n; i++) y[i] += factor * x[i];
 }
 
+/* Forgets pairs: they may span all increments, so that none of other laws would be learned. */
+HM_SELDOM static void forget_secants(context *c) { c->secants.count = c->secants.has_last = 0; }
+
 /* Keeps what the last increment has changed in g, of which there were others before. */
 HM_SELDOM static void learn_secant(context *c, const double *g)
 {
@@ -46,7 +52,8 @@ HM_SELDOM static void learn_secant(context *c, const double *g)
     const int32_t known = c->secants.count < MOST_SECANTS ? c->secants.count : MOST_SECANTS;
     double *dp = last + n, *dq = last; /* the increment, and g before it */
     for (int32_t i = 0; i < n; i++) dq[i] = g[i] - dq[i];
-    const double size = sqrt(product_of_increments(c, dq, dq));
+    const double size = sqrt(product_of_increments(c, dq, dq)),
+                 way = sqrt(product_of_increments(c, dp, dp));
     for (int32_t j = 0; j < known; j++) {
         const double *own = kept + 2 * n * j;
         const double part = product_of_increments(c, own + n, dq);
@@ -54,7 +61,10 @@ HM_SELDOM static void learn_secant(context *c, const double *g)
         add_multiple(n, -part, own, dp);
     }
     const double left = sqrt(product_of_increments(c, dq, dq));
-    if (!(left > SHOWN_BEFORE * size)) return;
+    if (!(left > SHOWN_BEFORE * size)) {
+        if (sqrt(product_of_increments(c, dp, dp)) > OF_OTHER_LAWS * way) forget_secants(c);
+        return;
+    }
     for (int32_t i = 0; i < n; i++) p[i] = dp[i] / left, q[i] = dq[i] / left;
     c->secants.count++;
 }
@@ -65,7 +75,7 @@ HM_SELDOM static void follow_laws(context *c)
     const int32_t n = end_pivot(c);
     double *kept = c->k.secants, *last = kept + 2 * MOST_SECANTS * n, *g = c->k.rhs;
     if (c->secants.h != c->h || c->secants.lu != c->factors.lu)
-        c->secants.count = c->secants.has_last = 0;
+        forget_secants(c);
     c->secants.h = c->h;
     c->secants.lu = c->factors.lu;
     if (c->secants.has_last) learn_secant(c, g);

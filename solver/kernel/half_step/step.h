@@ -5,13 +5,6 @@
 #include "newton.h"
 #include "predict.h"
 
-/* Length of usual steps: what a tolerance wants may be far from the option step_size. */
-static inline double usual_length(const context *c)
-{
-    const double *head = c->s.head;
-    return c->tolerance > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
-}
-
 /* Round-off of the coordinates in the mass norm. */
 static inline double round_off_of_places(const context *c)
 { return 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]; }
@@ -247,10 +240,8 @@ static int32_t solve_step(context *c, int parity)
         effort own = {0, 0};
         look_at_part(c, part, parts);
         status = solve_island(c, parity, &own);
-        if (status && reads_the_step(c)) {
-            c->laws.foretells = 1;
-            sense(c, c->h, parity);
-            hm_run_tape(c->m, c->number, 1);
+        if (status == HOLONOM_NEWTON_DIVERGED && reads_the_step(c) && c->secants.count) {
+            forget_secants(c); /* which may be of laws that have changed */
             status = solve_island(c, parity, &own);
         }
         take_all_rows(c);

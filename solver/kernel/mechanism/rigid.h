@@ -7,7 +7,7 @@
 enum { RIGID = DIM + TURNING };
 
 /* Arm of node a: a direction, or the place of a point from `centre`. */
-static inline void arm_of(const context *c, const double *centre, int32_t a, double *x)
+HM_OFTEN void arm_of(const context *c, const double *centre, int32_t a, double *x)
 {
     EACH(k) x[k] = c->s.q[DIM * a + k] - (c->m->node_kind[a] ? 0.0 : centre[k]);
 }
@@ -17,12 +17,12 @@ static inline void arm_of(const context *c, const double *centre, int32_t a, dou
 static void rigid_velocity(const context *c, const double *centre, int i, int32_t a, double *xi)
 {
     double x[DIM];
-    arm_of(c, centre, a, x);
     EACH(k) xi[k] = 0.0;
     if (i < DIM) {
         xi[i] = c->m->node_kind[a] ? 0.0 : 1.0;
         return;
     }
+    arm_of(c, centre, a, x);
 #if DIM == 2
     xi[0] = -x[1];
     xi[1] = x[0];
@@ -39,16 +39,21 @@ static void rigid_momenta(const context *c, const double *centre, const int *kep
                           double *total, double *size)
 {
     for (int i = 0; i < RIGID; i++) {
+        total[i] = size[i] = 0.0;
+        if (!kept[i]) continue;
         const int first = (i + DIM - 2) % DIM, second = (i + DIM - 1) % DIM;
         double sum = 0.0, sizes = 0.0;
-        for (int32_t k = DIM * c->view.node.begin; k < DIM * c->view.node.end && kept[i];
-             k += DIM) {
+        for (int32_t k = DIM * c->view.node.begin; k < DIM * c->view.node.end; k += DIM) {
             const double *own = p + k;
-            double x[DIM];
-            if (i < DIM && c->m->node_kind[k / DIM]) continue;
-            arm_of(c, centre, k / DIM, x);
-            const double one = i < DIM ? own[i] : x[first] * own[second],
-                         other = i < DIM ? 0.0 : x[second] * own[first];
+            double x[DIM], one, other = 0.0;
+            if (i < DIM) {
+                if (c->m->node_kind[k / DIM]) continue;
+                one = own[i];
+            } else {
+                arm_of(c, centre, k / DIM, x);
+                one = x[first] * own[second];
+                other = x[second] * own[first];
+            }
             sum += one - other;
             sizes += fabs(one) + fabs(other);
         }
@@ -73,21 +78,23 @@ static void factor_rigid(const context *c, const double *centre, const int *kept
                          double L[RIGID][RIGID])
 {
     const holonom_model *m = c->m;
-    double x[DIM], y[DIM], K[RIGID][RIGID] = {{0.0}};
+    double x[RIGID][DIM], y[RIGID][DIM], K[RIGID][RIGID] = {{0.0}};
     for IN_ISLAND(c, e, ISLAND_MASS)
-        for (int i = 0; i < RIGID; i++)
-            for (int j = 0; j <= i; j++) {
-                if (!kept[i] || !kept[j]) continue;
-                rigid_velocity(c, centre, i, m->mass_node[2 * e], x);
-                rigid_velocity(c, centre, j, m->mass_node[2 * e + 1], y);
-                K[i][j] += c->number[m->mass_at + e] * dot(x, y);
-            }
+        for (int i = 0; i < RIGID; i++) {
+            if (!kept[i]) continue;
+            rigid_velocity(c, centre, i, m->mass_node[2 * e], x[i]);
+            rigid_velocity(c, centre, i, m->mass_node[2 * e + 1], y[i]);
+            for (int j = 0; j <= i; j++)
+                if (kept[j]) K[i][j] += c->number[m->mass_at + e] * dot(x[i], y[j]);
+        }
     for (int i = 0; i < RIGID; i++)
         for (int j = 0; j <= i; j++) {
             double sum = K[i][j];
+            L[i][j] = 0.0;
+            if (!kept[i] || !kept[j]) continue;
             for (int k = 0; k < j; k++) sum -= L[i][k] * L[j][k];
-            if (i == j) L[i][i] = kept[i] && sum > 1e-10 * K[i][i] ? sqrt(sum) : 0.0;
-            else L[i][j] = kept[i] && L[j][j] > 0.0 ? sum / L[j][j] : 0.0;
+            if (i == j) L[i][i] = sum > 1e-10 * K[i][i] ? sqrt(sum) : 0.0;
+            else L[i][j] = L[j][j] > 0.0 ? sum / L[j][j] : 0.0;
         }
 }
 
@@ -95,12 +102,13 @@ static void factor_rigid(const context *c, const double *centre, const int *kept
 static void solve_rigid(double L[RIGID][RIGID], double *b)
 {
     for (int i = 0; i < RIGID; i++) {
-        for (int k = 0; k < i; k++) b[i] -= L[i][k] * b[k];
+        for (int k = 0; k < i && L[i][i] > 0.0; k++) b[i] -= L[i][k] * b[k];
         b[i] = L[i][i] > 0.0 ? b[i] / L[i][i] : 0.0;
     }
     for (int i = RIGID - 1; i >= 0; i--) {
+        if (!(L[i][i] > 0.0)) continue; /* it is left out, and 0 */
         for (int k = i + 1; k < RIGID; k++) b[i] -= L[k][i] * b[k];
-        b[i] = L[i][i] > 0.0 ? b[i] / L[i][i] : 0.0;
+        b[i] /= L[i][i];
     }
 }
 

@@ -35,11 +35,10 @@ static void sense(const context *c, double h, int parity)
 }
 
 /* Whether laws read the middle of the increment that is solved for, and no prediction of it: under
-   a tolerance, whose steps follow what they do, but not where a law that jumps, as friction written
-   with sign, has left no solution. */
+   a tolerance, whose steps follow what they do. */
 static int reads_the_step(const context *c)
 {
-    return c->m->sensing && c->tolerance > 0.0 && !c->step.changes_contacts && !c->laws.foretells;
+    return c->m->sensing && c->tolerance > 0.0 && !c->step.changes_contacts;
 }
 
 /* Laws at the middle of the present increment d: so half steps are symmetric, and weighted covers

@@ -42,8 +42,8 @@ static void begin_cover(context *c, double t, double law_time)
 
 /* Adds the end of a cover to the weighted changes of the motion (in estimate), ledger and losses;
    and to what they differ by from those without the coarsest cover, and these from those without
-   the two coarsest. Energies of the islands are weighted, too; momenta that changed are not
-   kept. */
+   the two coarsest. Energies of several islands are weighted, too, that of an only one is the
+   ledger's; momenta that changed are not kept. */
 static void weigh(context *c, int pairs, int covers, double *booked)
 {
     const int64_t n = c->s.n_motion;
@@ -59,7 +59,7 @@ static void weigh(context *c, int pairs, int covers, double *booked)
         booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
     }
     forget_changed(c);
-    weigh_energies(c, weight);
+    if (c->m->n_islands > 1) weigh_energies(c, weight);
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
@@ -143,7 +143,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged, 
     } else if (c->tolerance > 0.0 && status != HOLONOM_DAMPING_REVERSED)
         return status;
     take_state(c, c->k.finest);
-    c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;
+    c->s.head[S_AS_PAIRS] += !is_judged;
     result->finest = covers;
     return HOLONOM_OK;
 }

@@ -46,6 +46,14 @@ HM_SELDOM static void move_by_series(context *c, double h)
     follow_turns(c);
 }
 
+/* Keeps the rates of the gaps of closed contacts, which part_at_edges compares with those at the
+   end. */
+HM_SELDOM static void keep_gap_rates(const context *c)
+{
+    for (int32_t i = 0; i < n_contacts(c->m); i++)
+        c->k.gap_rates[i] = is_closed(c, i) ? gap_rate(c, i) : 0.0;
+}
+
 /* A piece of length h, with what dampers and frictions take; the rest of the change of energy is
    work. */
 HM_SELDOM static int32_t short_piece(context *c, double h)
@@ -54,6 +62,7 @@ HM_SELDOM static int32_t short_piece(context *c, double h)
     if (mesh_of(c)) begin_row(c, h);
     keep_start(c);
     evaluate_state(c);
+    keep_gap_rates(c);
     const int32_t status = evaluate_forces(c);
     if (status) return status;
     const double before = kinetic_energy(c, c->k.momentum) + potential_change(c);

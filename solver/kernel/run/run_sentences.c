@@ -325,7 +325,8 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
                            const double *head)
 {
     if (HM_CONTACTS && head[S_STEPPED] != 0.0) return say_stepped(text, head);
-    if (!(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
+    const int has_left_order = !(hm_tolerance(head) > 0.0) && head[S_AS_PAIRS] > 0.0;
+    if (!has_left_order && !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
     hm_say(text, "solver.order is %6g, but steps are of order 2: ", head[S_ORDER]);
     if (hm_tolerance(head) > 0.0)
         hm_say(text, "springs are much faster than the motion, and steps of a higher order that do "
