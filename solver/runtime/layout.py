@@ -455,7 +455,7 @@ STATE = {
     "shift": "n_rows * unilateral",  # of multipliers, where what sticks shares its forces
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
-    "freedom": "n_moving",  # whether rows and drivers left a node to move by itself at the start
+    "freedom": "n_moving",  # of a node: 0 if drivers move it alone, 2 if no row holds it, else 1
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
     "side": "n_switches",  # of each switch
     "inputs": "n_inputs",  # last given

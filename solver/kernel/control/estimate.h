@@ -3,7 +3,8 @@
    The difference from a solution of lower order r, e ~ (omega h)^(r+1), tells how fast the motion
    changes, and with it the error of the step's own order p, (omega h)^(p+1) times a mean over
    mechanisms. Of explicit steps that solution has other weights, of weighted covers it has all but
-   the coarsest one. Pairs have none: the rate of their accelerations tells. */
+   the coarsest one. Pairs have none: the rate of their accelerations tells. The mass norm hides
+   light nodes, which count by themselves. */
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
@@ -15,6 +16,17 @@
    swings, and of what strong dampers settle, which no cover resolves. */
 #define FALL 4.6
 #define SETTLING 50.0
+/* Largest swing of a node that pairs need not resolve, over the tolerance: where its phase is lost,
+   the node errs by twice as much at most. */
+#define SMALL_SWING 1.5
+/* Of a node that swings in a cover of order 6 or 8: its turn in the step over the root of e/e_0,
+   and the largest turn that is told so [rad]. */
+#define SWING 10.0
+#define FASTEST_SWING 3.0
+/* Least error of a node in a cover of order 4 over its difference, where that is HIDDEN times what
+   the mass norm tells: the difference of a light node that swings by little tells no turn. */
+#define SWINGS_ALONE 0.03
+#define HIDDEN 2.0
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
 /* Error of velocities of parts that stiff springs or dampers hold, and that follow a force: of a
@@ -61,6 +73,44 @@ static int find_rate_of_pairs(context *c, double h)
     for (int64_t k = 0; k < n; k++)
         rate[k] = 0.5 * ((a[0][k] - before[0][k]) + (a[1][k] - before[1][k])) / between;
     return 1;
+}
+
+/* Velocity by which node a swings in pairs of length h, at most `fastest`; of_pairs is the second
+   difference of its velocities between pairs. Turning by x in a half step, a swing of f has second
+   differences of 4 f sin^2(x/2) between half steps and of 4 f sin^2 x between pairs: from both f,
+   resolved or not. Between half steps rows show, too, so that what they hold counts as fastest. */
+static double swing_of_node(const context *c, double h, int32_t a, double of_pairs, double fastest)
+{
+    const double *now = c->s.a[0] + DIM * a, *before = c->s.a_before[1] + DIM * a;
+    if (c->s.freedom[a] != UNHELD) return fastest;
+    double square = 0.0;
+    EACH(k) square += hm_square(now[k] - before[k]);
+    const double of_halves = 0.5 * h * sqrt(square), left = 4.0 * of_halves - of_pairs;
+    return of_halves * of_halves < left * fastest ? of_halves * of_halves / left : fastest;
+}
+
+/* Largest difference of a node for a pair of length h, from the rate of its mean accelerations.
+   A small swing does not count. */
+HM_SELDOM static double difference_at_node(const context *c, double h, const double *rate)
+{
+    const node_scales scales = scales_of_nodes(c, h);
+    double largest = 0.0;
+    for (int32_t island = 0; island < c->m->n_islands; island++) {
+        const span nodes = free_nodes(c, island);
+        const double all = mass_of_nodes(c, nodes);
+        for (int32_t a = nodes.begin; a < nodes.end; a++) {
+            const double fastest = (c->m->node_kind[a] ? scales.direction : scales.point)[1],
+                         mass = c->number[c->m->node_mass_at + a],
+                         of_pairs = h * h * sqrt(dot(rate + DIM * a, rate + DIM * a)),
+                         swing = swing_of_node(c, h, a, of_pairs, fastest);
+            if (!(swing > SMALL_SWING * tolerated(c) * fastest)) continue;
+            const double of_v = of_pairs * sqrt(of_pairs / swing);
+            const double q = node_error(c, &scales, 0, a, h * of_pairs, mass, all),
+                         v = node_error(c, &scales, 1, a, of_v, mass, all);
+            largest = fmax(largest, hm_hypot(fmax(0.0, q), fmax(0.0, v)));
+        }
+    }
+    return largest;
 }
 
 /* The difference for a pair. */
@@ -185,19 +235,49 @@ static int is_noise(const context *c, double round_off, double difference, doubl
     return difference <= round_off * (1.0 + largest_reading(c) * shown);
 }
 
+/* Puts into `before`, the difference before the last one x of a cover of length h, to what x falls
+   at each node if it falls as much once more: as sizes, in the first component. How fast
+   differences fall tells how far a node turns that swings; its error goes to and fro between place
+   and velocity, so that a velocity counts with what its place will make of it. */
+HM_SELDOM static void fall_once_more(const context *c, double h, const double *x, double *before)
+{
+    const int64_t v = DIM * c->n_moving;
+    for (int32_t a = 0; a < c->m->n_free; a++) {
+        const double *now = x + DIM * a;
+        double *old = before + DIM * a;
+        const double q = sqrt(dot(now, now)), q_0 = sqrt(dot(old, old)),
+                     w = sqrt(dot(now + v, now + v)), w_0 = sqrt(dot(old + v, old + v));
+        const double fall = hm_hypot(w, FASTEST_SWING * q / h)
+                            / fmax(hm_hypot(w_0, FASTEST_SWING * q_0 / h), 1e-300);
+        const double omega = fmin(FASTEST_SWING, SWING * sqrt(fall)) / h;
+        const double e = hm_hypot(w, omega * q), e_0 = hm_hypot(w_0, omega * q_0);
+        EACH(k) old[k] = old[v + k] = 0.0;
+        if (q > 0.0) old[0] = q * q / hm_hypot(q, q_0);
+        if (e > 0.0) old[v] = e * e / hm_hypot(e, e_0);
+    }
+}
+
+/* The difference of the last step at the node where that is largest; 0 where nothing tells it. */
+static double largest_at_node(const context *c, double h, const double *x)
+{
+    if (c->last.finest || c->last.method == EXPLICIT) return 0.0;
+    return c->last.method == COVERED ? motion_error_at_node(c, x, h)
+                                     : difference_at_node(c, h, x);
+}
+
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(context *c, double h, step_error *e)
 {
     const int order = (int)c->s.head[S_ORDER_IN_USE];
     const method *used = method_of(order, c->last.method == EXPLICIT), *pair = METHODS;
     const double *x = c->k.estimate + (c->last.finest ? 0 : c->s.n_motion);
-    double of_all; /* the difference by the mass norm, which judges pairs alone */
+    double of_all; /* the difference by the mass norm */
     if (c->last.method == EXPLICIT) of_all = c->last.difference;
     else if (c->last.method == COVERED) of_all = motion_error(c, x);
     else if (!difference_of_pairs(c, h, &of_all)) return 0;
-    const double difference = c->last.method == COVERED && !c->last.finest
-                                  ? fmax(of_all, motion_error_at_node(c, x, h))
-                                  : of_all;
+    const double of_node =
+        largest_at_node(c, h, c->last.method == COMPOSED ? c->k.estimate : x);
+    const double difference = fmax(of_all, of_node);
     e->is_noise = is_noise(c, used->round_off, difference, h);
     if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after
                              so many pairs */
@@ -223,12 +303,16 @@ static int estimate_error(context *c, double h, step_error *e)
                           && h > longest_of(c, 8);
     if (c->last.method == COVERED && order > 4) { /* differences fall from order to order, and the
                                                      error falls as much once more */
-        const double before = fmax(motion_error(c, x + c->s.n_motion),
-                                   motion_error_at_node(c, x + c->s.n_motion, h));
-        const double next = difference * difference / hm_hypot(difference, before);
+        double *before = c->k.estimate + 2 * c->s.n_motion;
+        const double of_before = fmax(motion_error(c, before), motion_error_at_node(c, before, h));
+        fall_once_more(c, h, x, before);
+        const double next = fmax(difference * difference / hm_hypot(difference, of_before),
+                                 motion_error_at_node(c, before, h));
         if (is_settled) e->settled = SETTLING * next;
         else e->mean = fmax(e->mean, FALL * next);
     }
+    if (order == 4 && of_node > HIDDEN * of_all)
+        e->mean = fmax(e->mean, SWINGS_ALONE * of_node);
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
     else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m))
              && e->rate_of_all > SUDDEN * before_it)

@@ -100,6 +100,8 @@ static double relative_size(const context *c, double of_q, double of_v)
     return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
 }
 
+#define UNHELD 2.0 /* freedom of a node that no row holds */
+
 /* Of the largest error of a node, in an error of the motion. With 1 scenes take 1.05 times the
    increments of the mass norm alone, with 0.6 1.015 times. */
 #define NODES_COUNT 0.6

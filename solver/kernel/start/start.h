@@ -137,6 +137,16 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
     return status;
 }
 
+/* Marks nodes that no row holds; bodies' directions are held by rigidity. */
+HM_SELDOM static void find_unheld(context *c)
+{
+    const holonom_model *m = c->m;
+    for (int32_t a = 0; a < m->n_free; a++) c->s.freedom[a] = UNHELD;
+    for (int32_t i = 0; i < m->n_form_rows; i++)
+        for (int32_t e = m->form_ptr[m->row_form[i]]; e < m->form_ptr[m->row_form[i] + 1]; e++)
+            if (m->form_node[e] < m->n_free) c->s.freedom[m->form_node[e]] = 1.0;
+}
+
 /* Velocity that momenta of 1 give a node of 1 kg where rows and drivers leave it none:
    round-off. */
 #define NO_FREEDOM 1e-9
@@ -148,7 +158,9 @@ HM_SELDOM static void find_freedom(context *c)
     const holonom_model *m = c->m;
     double *x = c->k.w;
     for (int32_t a = 0; a < c->n_moving; a++) c->s.freedom[a] = 1.0;
-    if (!m->n_signals || is_unilateral(m)) return;
+    if (is_unilateral(m)) return;
+    if (m->n_rows == m->n_form_rows) find_unheld(c);
+    if (!m->n_signals) return;
     stand_still(c);
     memset(c->k.phi, 0, sizeof(double) * (size_t)m->n_rows);
     memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
@@ -158,7 +170,7 @@ HM_SELDOM static void find_freedom(context *c)
     if (factorise_at_state(c)) return;
     solve_for(c, x);
     for (int32_t a = 0; a < m->n_free; a++)
-        c->s.freedom[a] =
+        c->s.freedom[a] *=
             c->number[m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a) > hm_square(NO_FREEDOM);
 }
 
