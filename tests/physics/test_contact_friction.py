@@ -114,7 +114,7 @@ def test_friction_beyond_all_digits_is_said():
     integrator = solver.Integrator(model, log=said.append)
     integrator.initialise()
     assert integrator["solver.newton_impacts"] == 1.0
-    assert any("1 impacts at the start have Newton's restitution" in line for line in said)
+    assert any("1 impact at the start has Newton's restitution" in line for line in said)
     assert integrator["energy.kinetic"] < 0.5 * 24.0 * (1.0**2 + 0.3**2)
     stepped = begin(sliding_box(1e12), contact_mode="stepped")
     with pytest.raises(

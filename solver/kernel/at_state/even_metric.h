@@ -6,6 +6,7 @@
 #define HOLONOM_EVEN_METRIC_H
 
 #include "equations_at_state.h"
+#include "scales.h"
 
 /* Multiplies masses of free nodes by squares of `factor`, or divides them. */
 static void scale_masses(const context *c, const double *factor, int back)

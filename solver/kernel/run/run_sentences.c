@@ -367,12 +367,13 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
 void hm_say_newton(hm_text *text, const double *head, const char *when)
 {
     if (!HM_CONTACTS || head[S_NEWTON_IMPACTS] == 0.0) return;
+    const int one = head[S_NEWTON_IMPACTS] == 1.0;
     hm_say(text,
-           "%6g impacts %s have Newton's restitution, lowered until no energy arises, "
+           "%6g impact%s %s %s Newton's restitution, lowered until no energy arises, "
            "since the energetic law found no impulses "
            "(solver.newton_impacts counts them); contacts that hold the same thing twice and "
            "strong friction make that likely",
-           head[S_NEWTON_IMPACTS], when);
+           head[S_NEWTON_IMPACTS], one ? "" : "s", when, one ? "has" : "have");
 }
 
 /* Says that friction acted at the ends of pieces of half steps. */
