@@ -337,6 +337,15 @@ def test_a_point_without_weight_starts_from_rest_under_a_force_that_grows(along,
     assert passed.error <= CLOSURE
 
 
+def row_of_balls(n: int, before: float, **contact: float) -> Content:
+    """Equal balls that touch, of which the first moves at the others, that far from them [m]."""
+    balls = {f"b{k}": {"position": [k + before * (k > 0), 0], "mass": 0.5} for k in range(n)}
+    balls["b0"]["velocity"] = [1.0, 0.0]
+    ball_on_ball = {"type": "sphere", "radii": [0.5, 0.5], **contact}
+    pairs = {f"c{k}": ball_on_ball | {"points": [f"b{k}", f"b{k + 1}"]} for k in range(n - 1)}
+    return mechanism("balls", 2, gravity=False, points=balls, contacts=pairs)
+
+
 @pytest.mark.parametrize("h", [0.02, 0.007])
 @pytest.mark.parametrize(
     ("law", "after"),
@@ -344,19 +353,7 @@ def test_a_point_without_weight_starts_from_rest_under_a_force_that_grows(along,
 )
 def test_touching_balls_part_by_the_law_of_impact_that_the_scene_asks_for(law, after, h):
     """Of five equal balls the first hits the others; both rates keep momentum and energy."""
-    balls = {f"b{k}": {"position": [k + 0.05 * (k > 0), 0], "mass": 0.5} for k in range(5)}
-    balls["b0"]["velocity"] = [1.0, 0.0]
-    pairs = {
-        f"c{k}": {
-            "type": "sphere",
-            "points": [f"b{k}", f"b{k + 1}"],
-            "radii": [0.5, 0.5],
-            "restitution": 1.0,
-        }
-        for k in range(4)
-    }
-    content = mechanism("balls", 2, gravity=False, points=balls, contacts=pairs)
-    integrator = begin(content, h, impact_law=law, **STEPPED)
+    integrator = begin(row_of_balls(5, 0.05, restitution=1.0), h, impact_law=law, **STEPPED)
     passed = cover(integrator, even(0.2, h))
     rates = [number(integrator, f"b{k}.vx") for k in range(5)]
     assert rates == pytest.approx(after, abs=1e-12)
@@ -371,19 +368,7 @@ def test_touching_balls_part_by_the_law_of_impact_that_the_scene_asks_for(law, a
 )
 def test_a_hit_goes_through_seventy_balls_one_by_one(friction, restitution, after):
     """Equal balls change their rates, one after the other, or go on together."""
-    balls = {f"b{k}": {"position": [k, 0], "mass": 0.5} for k in range(70)}
-    balls["b0"]["velocity"] = [1.0, 0.0]
-    pairs = {
-        f"c{k}": {
-            "type": "sphere",
-            "points": [f"b{k}", f"b{k + 1}"],
-            "radii": [0.5, 0.5],
-            "restitution": restitution,
-            "friction": friction,
-        }
-        for k in range(69)
-    }
-    content = mechanism("balls", 2, gravity=False, points=balls, contacts=pairs)
+    content = row_of_balls(70, 0.0, restitution=restitution, friction=friction)
     integrator = begin(content, 0.01, impact_law="sequential", **STEPPED)
     passed = cover(integrator, even(0.05, 0.01))
     rates = [number(integrator, f"b{k}.vx") for k in range(70)]
