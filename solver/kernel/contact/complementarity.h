@@ -96,7 +96,7 @@ static int goes_through_edge(context *c, int32_t i, double way)
     const double gap = gap_of(c, i);
     memcpy(c->s.q, q, sizeof(double) * (size_t)n);
     memcpy(c->s.signal, signal, sizeof(double) * (size_t)m->n_signals);
-    return gap < -THROUGH_EDGE * way;
+    return gap < -THROUGH_EDGE * way - PENETRATION * c->number[m->extent_at];
 }
 
 /* Opens closed contacts that would pull. One whose friction sticks slides first: its friction may

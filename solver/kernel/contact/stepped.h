@@ -106,8 +106,8 @@ static inline int may_step_over(int32_t status)
            || status == HOLONOM_IMPACT_UNSOLVED || status == HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* Whether a piece of length h that failed so is to be cut: a slip in space may stop sooner than its
-   rate says, and a contact part at an edge that it came to. */
+/* Whether a piece of length h that failed so is to be cut: an event may be in it, a slip in space
+   that stops sooner than its rate says, or an edge at which a contact parts. */
 static int is_to_be_cut(const context *c, int32_t status, double h)
 {
     return (c->event.cuts || is_unsolved(status)) && !is_short(c, h);

@@ -28,6 +28,7 @@ static const double *start_of_piece(const context *c)
    impulse that the forces at both ends do not tell, above this part of the speed of the fastest
    node: on smooth surfaces steps of a usual length leave 1e-2 of it, or less. */
 #define ACROSS_EDGE 0.05
+#define SURELY_SMOOTH 1e-3 /* a smaller part: forces at the end need not be evaluated */
 
 /* Speed by which the row of contact i has changed the velocities in a half step, or in an explicit
    step of length h, beyond what a force does. Multipliers do not tell that of steps too short for
@@ -45,12 +46,12 @@ static double speed_beyond(const context *c, int32_t i, double h, double force)
                 - function_rate(c, j, c->s.q, c->s.q_low, v0, c->s.signal, c->k.signal_rate));
 }
 
-/* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the state,
-   whose functions at its ends are known. */
+/* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the
+   state, whose functions at its ends are known. */
 static int passes_edge(const context *c, double h, event_values low, event_values high)
 {
     const double most = fmax(ACROSS_EDGE * fastest_node(c), speed_tolerance(c));
-    const int is_shared = has_shares(c) || c->event.together;
+    const int is_shared = has_shares(c) || c->event.together || may_have_dependent_rows(c);
     EACH_CONTACT(c, i) {
         if (!is_closed(c, i)) continue;
         const double force = 0.5 * (low.value[i] + high.value[i]);
@@ -141,7 +142,7 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
             if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i])))
                 return 0;
             if (!is_telling(c)
-                || speed_beyond(c, i, h, low.value[i]) > ACROSS_EDGE / SAFE_WAYS * reach / h)
+                || speed_beyond(c, i, h, low.value[i]) > SURELY_SMOOTH / SAFE_WAYS * reach / h)
                 return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
         else c->view.may_fall_asleep |= is_far_enough(c, i, x.value[i]);

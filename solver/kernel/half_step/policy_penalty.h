@@ -35,6 +35,14 @@ static inline int updates_slowly(const context *c, double defect, double last)
    rounding error of the drawn configuration, over epsilon. Where it cannot be told from what is
    weakly determined, a part of all is forgotten at the beginning of a step. */
 enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK, ROWS_CONTRADICT };
+
+/* Whether rows of any island share forces at will, as far as is known. */
+static int may_have_dependent_rows(const context *c)
+{
+    for (int32_t island = 0; island < c->m->n_islands; island++)
+        if (c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT) return 1;
+    return 0;
+}
 #define FORGOTTEN 1e-3
 
 /* First increment, over the size of a step, that is short. */

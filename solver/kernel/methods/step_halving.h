@@ -32,8 +32,8 @@ static double stage(int order, int i, int *stages)
 /* ------------------------------------------------------------------------------- internal steps */
 
 /* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short
-   for a moment. Shorter steps do not help rows that may contradict each other, contacts, what turns
-   all the time too fast even for a step with FEW_HALVINGS, and an iteration that is allowed few
+   for a moment. Shorter steps do not help rows that may contradict each other, what turns all the
+   time too fast even for a step with FEW_HALVINGS, and an iteration that is allowed few
    increments. */
 enum { MOST_HALVINGS = 16, FEW_HALVINGS = 6, FEW_INCREMENTS = 10 };
 
@@ -42,10 +42,9 @@ static int most_halvings(const context *c, double h, int32_t status)
     const double longest = MOST_TURNED * (2 << FEW_HALVINGS);
     const int is_whipped = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE
                            || status == HOLONOM_TURN_TOO_LARGE;
-    int few = is_unilateral(c->m) || !is_whipped || c->s.head[S_MAX_NEWTON] < FEW_INCREMENTS
+    int few = !is_whipped || c->s.head[S_MAX_NEWTON] < FEW_INCREMENTS
               || fabs(h) * fastest_turn(c) > longest;
-    for (int32_t island = 0; island < c->m->n_islands; island++)
-        few |= c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT;
+    few |= may_have_dependent_rows(c);
     return few ? FEW_HALVINGS : MOST_HALVINGS;
 }
 
@@ -172,9 +171,9 @@ static int32_t step_halving(context *c, double h, int left)
         forget_halves(c);
         return step_halving(c, h, left);
     }
+    if (is_unilateral(c->m)) return status; /* an event may be in it: the piece is cut instead */
     if (left == UNDIVIDED) left = most_halvings(c, h, status);
-    if (left == 0 || is_unilateral(c->m))
-        return status; /* an event may be in it: the piece is cut instead */
+    if (left == 0) return status;
     status = step_halving(c, 0.5 * h, left - 1);
     return status ? status : step_halving(c, 0.5 * h, left - 1);
 }
