@@ -48,7 +48,7 @@ hand = { type = "position", point = "S", value = ["0.2*sin(3*t)", 0] }
 def test_a_pendulum_on_a_support_that_shakes_moves_as_its_equation_to_second_order(
     formulation: str,
 ):
-    # With the support at x_S, x = x_S + sin p: p'' = -g sin p - x_S'' cos p. It goes along at first.
+    # With the support at x_S, x = x_S + sin p: p'' = -g sin p - x_S'' cos p; p' is 0 at first.
     def rates(t: float, y: np.ndarray) -> list[float]:
         return [y[1], -GRAVITY * math.sin(y[0]) + 1.8 * math.sin(3.0 * t) * math.cos(y[0])]
 
@@ -79,9 +79,9 @@ hand = { type = "position", point = "S", value = ["0.375*9.81*t**2", 0] }
 
 @pytest.mark.parametrize("formulation", ["conserving-al", "conserving-al-beta", "midpoint-al"])
 def test_a_bar_pulled_with_constant_acceleration_hangs_along_its_apparent_weight(formulation: str):
-    # It leans back by atan(a/g) = atan(3/4) and stays: the hand pulls with m a and carries m g. Mass
-    # between the driven end and the other, m/6, is part of both. Steps are exact for motions of
-    # second degree; round-off of places 1e-16 over h^2 makes 1e-12 of the forces.
+    # It leans back by atan(a/g) = atan(3/4) and stays: the hand pulls with m a and carries m g.
+    # Mass between the driven end and the other, m/6, is part of both. Steps are exact for motions
+    # of second degree; round-off of places 1e-16 over h^2 makes 1e-12 of the forces.
     run = by_paper(PULLED, 0.02, formulation)
     assert run["hand.force.x"] == pytest.approx(2.0 * 0.75 * GRAVITY, abs=1e-9)
     assert run["hand.force.y"] == pytest.approx(2.0 * GRAVITY, abs=1e-9)
@@ -278,7 +278,7 @@ def test_a_contact_that_yields_is_taken_if_it_has_no_damping():
     deepest = (GRAVITY + math.sqrt(GRAVITY**2 + 2000.0 * GRAVITY)) / 1000.0
     assert run["A.y"].min() == pytest.approx(-deepest, rel=1e-3)
     assert np.abs(run["energy.balance"]).max() < 1e-11
-    with pytest.raises(OptionError, match="contact 'floor': .* no damped contacts.*leave out"):
+    with pytest.raises(OptionError, match=r"contact 'floor': .* no damped contacts.*leave out"):
         by_paper(DAMPED, 0.002)
 
 
