@@ -1,4 +1,4 @@
-"""Scenes by the method of `solver.paper`: with bodies, joints, drivers, springs, dampers, loads."""
+"""Scenes by the method of `solver.paper`: all but contacts, friction and rolling."""
 
 from __future__ import annotations
 
@@ -11,7 +11,39 @@ from solver.mechanics.matrices import Matrices
 from solver.options import USUAL_STEP
 from solver.paper.problem import Functions, Method, Problem, check
 from solver.paper.step import Moment, step
-from solver.runtime import Integrator
+from solver.runtime import Integrator, Model, OptionError
+
+OF_DAMPED = "damping must be >= 0 s/m", "impact_speed must"
+"""How rules begin that compliant contacts with a damping have."""
+
+
+def refusal(model: Model, depth_damping: Sequence[float]) -> str:
+    """Return what the method does not take of a model, with the parts; nothing if it takes all.
+
+    `depth_damping` are the factors [s/m, s/rad] of contacts that yield.
+    """
+    size = model.sizes
+    first = size["n_form_rows"] + size["dim"] * size["n_coincidences"]
+    contacts = [first + j - size["n_elements"] for j in model.tables["contact_row"]]
+    velocities = model.rows[first + size["n_function_rows"] :]
+    damped = [rule.name for rule in model.rules if rule.message.startswith(OF_DAMPED)]
+    found = {
+        "contacts, which open and close": [model.rows[j].name for j in contacts],
+        "rolling and friction, which are rows of velocities": [row.name for row in velocities],
+        "damped contacts, whose damping never pulls": damped if any(depth_damping) else [],
+    }
+    message = "; ".join(
+        f"{_listed([*dict.fromkeys(names)])}: the paper's method takes no {what}"
+        for what, names in found.items()
+        if names
+    )
+    return message and message + "; the core does: leave out 'formulation'"
+
+
+def _listed(names: Sequence[str]) -> str:
+    most = 4
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more
 
 
 def problem_of(x: Matrices) -> Problem:
@@ -60,6 +92,9 @@ def run(
     check("penalty", penalty, "> 0")
     integrator.initialise()
     integrator.begin()
+    first, count = integrator.model.offsets["depth_damping"], integrator.model.sizes["n_potentials"]
+    if message := refusal(integrator.model, integrator.numbers[first : first + count]):
+        raise OptionError(message)
     x, h = Matrices(integrator), float(integrator["solver.step_size"]) or USUAL_STEP
     per_step = 1.0 if method.get("formulation") == "penalty-velocity" else 4.0 / h**2
     given = {"alpha": per_step * penalty / x.sigma, "multiplier_update": multiplier_update}

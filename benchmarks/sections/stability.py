@@ -87,7 +87,7 @@ REMARKS = (
     "N = 10, 0.3 for 100 and 0.03 for 1000: the longer it is, the less a second asks of a step; "
     "an explicit method in joint coordinates then takes the chain of 100 in one.",
     "Springs always act by their discrete gradient; `formulation` is about constraints.",
-    "The car axis has a driven point, which `solver.paper` does not take, and no peer's model. "
+    "The car axis is run by the core alone: `solver.paper` was not measured, and no peer has it. "
     "MuJoCo takes a second for one step of the chain of 1000 and is left out there.",
 )
 

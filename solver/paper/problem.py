@@ -36,6 +36,7 @@ NOTHING = Functions(lambda _: np.zeros(0), lambda q: np.zeros((0, len(q))))
 class Problem:
     """A mechanism in coordinates with a constant mass matrix M (n, n), from q, v (n,) on.
 
+    Coordinates without a mass are held by rows, such as those that drivers move.
     Q(q, v, t) (n,) are other applied forces than those of potentials, at the midpoint (eq 5).
     Drivers ask for Phi(q) = u(t), with u (r,). `begin_step` is told q_n before each step, so that
     angles may go on beyond half a turn.
@@ -49,6 +50,11 @@ class Problem:
     Q: Callable[[Array, Array, float], Array] | None = None
     u: Callable[[float], Array | float] = lambda t: 0.0  # noqa: ARG005
     begin_step: Callable[[Array], None] = lambda q: None  # noqa: ARG005
+
+    def extent(self, q: Array) -> float:
+        """Range of the coordinates that have a mass; only rows may hold others."""
+        has_mass = np.diag(self.M) > 0.0
+        return float(np.ptp(q[has_mass] if np.any(has_mass) else q)) or 1.0
 
 
 FORMULATIONS = (

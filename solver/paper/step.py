@@ -40,12 +40,12 @@ def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -
     if method.formulation.startswith("conserving"):
         mean = 0.5 * (phi.value(at.q) - u_n + phi.value(at.q + d) - u_n1)
         return mean, 0.5 * phi.gradient(at.q + d)
-    G, C = phi.gradient(q), phi.value(q) - u_mid
+    G, C = phi.gradient(q), phi.value(q)
     if method.formulation != "penalty-velocity":
-        return C, 0.5 * G
+        return C - 0.5 * (u_n + u_n1), 0.5 * G  # so linear rows have u at the ends, too
     H = hessian(phi, q)
     second = 2.0 * G @ (d - h * at.v) + H @ d @ d - 4.0 * (u_n1 - 2.0 * u_mid + u_n)
-    C = second / h**2 + twice * (G @ d - (u_n1 - u_n)) / h + method.omega**2 * C
+    C = second / h**2 + twice * (G @ d - (u_n1 - u_n)) / h + method.omega**2 * (C - u_mid)
     bend = H @ ((3.0 * d - h * at.v) / h**2 + 0.5 * twice * d / h)
     return C, (2.0 / h**2 + twice / h + 0.5 * method.omega**2) * G + bend
 
@@ -74,7 +74,7 @@ def tangent(problem: Problem, method: Method, at: Moment, h: float, now: Trial, 
     K[:n, :n] += bend(
         of_V, problem.potentials, at.q, end, np.ones(len(problem.potentials.value(end)))
     )
-    for k, e in enumerate(1e-5 * (np.ptp(at.q) or 1.0) * np.eye(n) if problem.Q else ()):
+    for k, e in enumerate(1e-5 * problem.extent(at.q) * np.eye(n) if problem.Q else ()):
         a, b = (applied(problem, at, h, now.d + x) for x in (-e, e))
         K[:n, k] -= (b - a) / (2.0 * e[k])
     K[:n, :n] = h * K[:n, :n] + 2.0 / h * problem.M
@@ -89,12 +89,11 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
     problem.begin_step(at.q)
     nested, updates = method.algorithm == "nested", "-al" in method.formulation
     ends = method.multiplier_update == "end" and method.formulation.startswith("conserving")
-    lam, mu, w, extent = at.lam, at.lam, np.zeros_like(at.q), np.ptp(at.q) or 1.0
-    alpha, phi_n, found = method.alpha + 0.0 * lam, problem.phi.value(at.q), list[Iteration]()
-    phi_n = phi_n - problem.u(at.t)
+    lam, mu, w, extent = at.lam, at.lam, np.zeros_like(at.q), problem.extent(at.q)
+    alpha, found, K = method.alpha + 0.0 * lam, list[Iteration](), None
+    phi_n, mass = problem.phi.value(at.q) - problem.u(at.t), np.sqrt(np.diag(problem.M))
     size = extent * np.abs(problem.phi.gradient(at.q)).sum(axis=1)
-    mass, last, K = np.sqrt(np.diag(problem.M)), np.inf, None
-    defect = before = np.inf
+    last = defect = before = np.inf
     now, updated, remedy = trial(problem, method, at, h, w), 0, "smaller step_size"
     for newton in range(1, 2001):  # most are needed where updates contract slowly
         if K is None:
