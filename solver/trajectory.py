@@ -278,7 +278,7 @@ def _check_mesh(
     model: Model, options: Mapping[str, Any], record_mesh: bool, mesh: Mesh | None
 ) -> None:
     """Refuse settings beside a mesh, and a mesh of what takes none."""
-    if record_mesh and model.sizes["n_switches"]:
+    if record_mesh and model.sizes["n_switches"] > model.sizes["n_kinks"]:
         message = (
             "record_mesh: formulas of this mechanism switch (holonom info lists where), and a mesh "
             "keeps events of contacts alone; leave record_mesh out, or write them without a switch"

@@ -107,6 +107,8 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     courses = (INPUT_COURSES.index(x.interpolation) for x in scene.inputs.values())
     tables["input_course"] = array("i", courses)
     variables = tuple(variables_of(scene, table, structure, numbers))
+    for kink in mechanism.kinks:
+        numbers.tape.add_kink(kink)
     switches = [*numbers.tape.switches.values()]
     if numbers.tape.has_more:
         warnings.warn(
@@ -271,5 +273,6 @@ def sizes_of(
         "n_motion_switches": sum(
             x.motion is Motion.WITH_QUANTITIES for x in tape.switches.values()
         ),
+        "n_kinks": sum(bool(x.name) for x in tape.switches.values()),
     }
     return {name: known[name] for name in SIZES}

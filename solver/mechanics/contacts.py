@@ -25,6 +25,7 @@ from typing import Any
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
+from solver.mechanics.kinks import add_kinks_of_contact
 from solver.mechanics.mechanism import Contact, Formula, Friction, Leaf, Mechanism, Scale
 from solver.mechanics.parts import CompliantContact, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
@@ -276,7 +277,7 @@ def add_contact(
     """
     mechanism = rows.mechanism
     if isinstance(contact, ContactPart) and contact.law != "rigid":
-        _add_compliant(rows, contact, gap)
+        _add_compliant(rows, contact, gap, end)
         return
     if rows.name not in rows.parts.contacts:
         rows.rule(1.0 - contact.restitution, ">=", "1 - restitution must be >= 0")
@@ -298,7 +299,7 @@ def add_contact(
     mechanism.contacts.append(Contact(row[1], contact.restitution, friction))
 
 
-def _add_compliant(rows: Rows, contact: ContactPart, gap: Formula) -> None:
+def _add_compliant(rows: Rows, contact: ContactPart, gap: Formula, end: str) -> None:
     """Add a potential K depth^(n+1)/(n+1), damped by c times the rate of its depth.
 
     Of Lankarani and Nikravesh c = 3 (1 - e^2)/(4 v), for an impact at the speed v.
@@ -325,6 +326,7 @@ def _add_compliant(rows: Rows, contact: ContactPart, gap: Formula) -> None:
     force = contact.stiffness * depth**contact.exponent
     found = CompliantContact(leaf.index, opening, depth, force, damping or 0.0)
     rows.parts.compliant.setdefault(rows.name, []).append(found)
+    add_kinks_of_contact(rows, found, end)
 
 
 def distance_left(gap: Number, clearance: Number) -> Number:

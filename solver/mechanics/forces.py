@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import formula, leaf_symbol, sensed
 from solver.mechanics.frames import RigidFrame
+from solver.mechanics.kinks import add_kinks
 from solver.mechanics.mechanism import BodyMoment, Element, Formula, Leaf, Load, Moment, Scale
 from solver.mechanics.parts import AXES, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
@@ -48,6 +49,7 @@ def add_spring(rows: Rows, force: Spring, _: JointParts) -> None:
     if force.energy is not None:
         own = {"length": Leaf(LEAF_VALUE, mechanism.length(link))}
         mechanism.potentials.append(formula(parts, force.energy, signals=False, own=own))
+        add_kinks(rows, force.energy, own)
         return
     free_length = force.free_length
     if free_length is None:
@@ -77,6 +79,7 @@ def add_gravitation(rows: Rows, force: Gravitation, _: JointParts) -> None:
 def add_potential(rows: Rows, force: Potential, _: JointParts) -> None:
     """Add an energy."""
     rows.mechanism.potentials.append(formula(rows.parts, force.value, signals=False))
+    add_kinks(rows, force.value)
 
 
 def add_twist(

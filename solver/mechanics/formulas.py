@@ -118,20 +118,31 @@ def formula(
     return Formula(value, tuple(leaves))
 
 
-def sensed(parts: Parts, number: Number) -> Number:
-    """Return an expression whose quantities are read from the sensors, as ``#value 3``."""
+def sensor(leaf: Leaf) -> Expr:
+    """Return the symbol of a quantity, ``#value 3``, or of its rate, as a sensor tells it."""
+    return symbol(f"#{'value' if leaf.kind == LEAF_VALUE else 'rate'} {leaf.index}")
+
+
+def sensed(
+    parts: Parts, number: Number, own: Mapping[str, Meaning] | None = None, *, by_laws: bool = True
+) -> Number:
+    """Return an expression whose quantities are read from the sensors.
+
+    Those that laws read are followed all along, others where a switch is looked at; `own` is as in
+    `formula`.
+    """
 
     def replace(part: Expr) -> Number | None:
         if part.op not in ("symbol", "call"):
             return None
-        found = _meaning(parts, part, {})
+        found = _meaning(parts, part, own or {})
         if not isinstance(found, Leaf):
             return part if found is None else found
         parts.mechanism.use(found.index)
-        parts.mechanism.sensing = True
-        sensor = symbol(f"#{'value' if found.kind == LEAF_VALUE else 'rate'} {found.index}")
-        parts.mechanism.sensed[str(sensor)] = str(part)
-        return sensor
+        if by_laws:
+            parts.mechanism.sensing = True
+            parts.mechanism.sensed[str(sensor(found))] = str(part)
+        return sensor(found)
 
     return rewritten(number, replace)
 

@@ -78,6 +78,14 @@ class Formula(NamedTuple):
     """Of the energy of a compliant contact, a power of its depth: share of the force per speed."""
 
 
+class Kink(NamedTuple):
+    """An operation on sensors across which slopes of an energy are exact, though it has a kink."""
+
+    operation: Expr
+    name: str
+    """What it is called in a sentence."""
+
+
 class Scale(NamedTuple):
     """A row's size, base extent^power: what its residual is compared with."""
 
@@ -210,6 +218,8 @@ class Mechanism:
     function_rows: list[FunctionRow] = field(default_factory=list)
     velocity_rows: list[FunctionRow] = field(default_factory=list)
     potentials: list[Formula] = field(default_factory=list)
+    kinks: list[Kink] = field(default_factory=list)
+    """Of the potentials."""
     elements: list[Element] = field(default_factory=list)
     loads: list[Load] = field(default_factory=list)
     moments: list[Moment] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""Names of the conditions and kinks of laws and drivers: the part, and the condition as written."""
+"""Names of the conditions and kinks of formulas: the part, and the condition as written."""
 
 from __future__ import annotations
 
@@ -18,12 +18,13 @@ _TABLES = ("parameters", "constraints", "joints", "contacts", "forces", "drivers
 
 def names_of_switches(parts: Parts, switches: Iterable[Switch]) -> tuple[str, ...]:
     """Return what each switch is called in a sentence, such as ``force 'f': t < 0.6``."""
-    found = [str(_readable(parts, switch.operation)) for switch in switches]
+    found = [(x.name, str(_readable(parts, x.operation))) for x in switches]
     owners = _owners(parts.scene) if found else {}
-    return tuple(_named(owners.get(text, ""), text) for text in found)
+    return tuple(name or named(owners.get(text, ""), text) for name, text in found)
 
 
-def _named(owner: str, text: str) -> str:
+def named(owner: str, text: str) -> str:
+    """Return what a condition or kink is called, by the part that it belongs to and its text."""
     bare = re.sub(r"\b(\d+)\.0\b", r"\1", text[1:-1] if text.startswith("(") else text)
     return f"{owner}: {bare}" if owner else bare
 
@@ -41,13 +42,13 @@ def _owners(scene: Scene) -> dict[str, str]:
     owners: dict[str, str] = {}
     for table in _TABLES:
         for name, part in getattr(scene, table).items():
-            for operation in _operations(part):
+            for operation in operations_that_switch(part):
                 owners.setdefault(str(operation), f"{NOUNS[table]} '{name}'")
     return owners
 
 
-def _operations(part: object) -> Iterator[Expr]:
-    """Yield all operations of a part that jump or have a kink."""
+def operations_that_switch(part: object) -> Iterator[Expr]:
+    """Yield all operations of a part, or of an expression, that jump or have a kink."""
     pending, seen = [part], set[int]()
     while pending:
         found = pending.pop()

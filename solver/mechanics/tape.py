@@ -18,7 +18,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from solver.mechanics.knots import has_knots, on_piece, place_among_knots
-from solver.mechanics.mechanism import Leaf
+from solver.mechanics.mechanism import Kink, Leaf
 from solver.runtime.layout import CODES, LEAF_RATE, OFFSETS, SWITCH_LEVEL, SWITCH_SIGN
 from solver.scene import Expr, Number
 from solver.scene.expression import Curve, Grid, Operand, operate, symbol
@@ -63,6 +63,8 @@ class Switch(NamedTuple):
     segment: Segment
     motion: Motion
     operation: Expr
+    name: str
+    """Of a kink of an energy, which reads no side of it."""
 
 
 def argument_of(number: Expr) -> Number:
@@ -128,6 +130,8 @@ class Tape:
         self._motion: dict[int, Motion] = dict(motion or {})
         self.switches: dict[tuple[int, Segment, int], Switch] = {}
         """By argument, segment and kind; each depends on those before it alone."""
+        self._kink = ""
+        """Name of the kink of an energy that is compiled."""
         self.has_more = False
         """Whether operations beyond `MOST_SWITCHES` are left as they are."""
         self._sides: dict[str, int] = {}
@@ -203,7 +207,8 @@ class Tape:
         may_switch = number.op in SWITCHING and (number.op != "spline" or has_knots(number))
         if may_switch and segment in (Segment.LAWS, Segment.SIGNALS):
             motion = max(self._motion.get(place, Motion.STANDS) for place in places)
-            if motion is not Motion.STANDS and len(self.switches) < MOST_SWITCHES:
+            may_switch = bool(self._kink) or len(self.switches) < MOST_SWITCHES
+            if motion is not Motion.STANDS and may_switch:
                 return self._switched(number, wanted, motion)
             self.has_more |= motion is not Motion.STANDS
         if isinstance(number.args[-1], Grid):  # its coordinates stand one behind the other
@@ -219,8 +224,16 @@ class Tape:
         side = self._sides.get(name)
         return self._symbols(name) if side is None else (side, Segment.LAWS)
 
-    def _switched(self, number: Expr, wanted: Segment, motion: Motion) -> tuple[int, Segment]:
-        """Compile an operation that jumps or has a kink, as it is on the side of its switch."""
+    def add_kink(self, kink: Kink) -> None:
+        """Add the switch of a kink of an energy. All laws and signals have been compiled."""
+        self._kink = kink.name
+        arguments = [self.compile(x) for x in self._operands(kink.operation, Segment.LAWS)]
+        motion = max(self._motion.get(place, Motion.STANDS) for place, _ in arguments)
+        if motion is Motion.WITH_QUANTITIES:
+            self._switch(kink.operation, Segment.LAWS, motion)
+
+    def _switch(self, number: Expr, wanted: Segment, motion: Motion) -> tuple[Switch, bool]:
+        """Return the switch of an operation, and whether it has the opposite sign."""
         kind = SWITCH_LEVEL if number.op in ("floor", "ceil", "mod", "spline") else SWITCH_SIGN
         difference = argument_of(number)
         opposite = kind == SWITCH_SIGN and len(number.args) == 2
@@ -229,9 +242,14 @@ class Tape:
         place = (reverse if reverse and turned else self.compile(difference, wanted))[0]
         found = self.switches.get((place, wanted, kind))
         if found is None:
-            found = Switch(place, self._new(), kind, wanted, motion, number)
+            found = Switch(place, self._new(), kind, wanted, motion, number, self._kink)
             self.switches[place, wanted, kind] = found
             self._sides[f"#side {found.side}"] = found.side
+        return found, turned
+
+    def _switched(self, number: Expr, wanted: Segment, motion: Motion) -> tuple[int, Segment]:
+        """Compile an operation that jumps or has a kink, as it is on the side of its switch."""
+        found, turned = self._switch(number, wanted, motion)
         side = symbol(f"#side {found.side}")
         return self.compile(on_side(number, side, -side if turned else side), wanted)
 

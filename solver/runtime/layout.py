@@ -92,9 +92,10 @@ SIZES = (
     "n_hit_rows",  # most rows of an impact
     "n_hit_forces",  # multipliers by which joints rub in impacts
     "unilateral",  # 1: there are contacts or frictions
-    "n_switches",  # conditions and kinks of laws and signals that change with the motion or time
+    "n_switches",  # conditions and kinks of formulas that change with the motion or time
     "switching",  # 1: there are some
     "n_motion_switches",  # of these, how many read quantities
+    "n_kinks",  # of these, the last ones, how many are of energies: with a tolerance alone
 )
 """Integers of a model."""
 

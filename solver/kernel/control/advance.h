@@ -226,7 +226,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     else if (!status)
         status = (c.tolerance > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
-    if (!status && m->switching) status = end_at_switch(&c, start + step, step);
+    if (!status && n_switches(&c)) status = end_at_switch(&c, start + step, step);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
     if (!status && m->steep_signals) signals_at(&c, start + step, c.k.signal1);

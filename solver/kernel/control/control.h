@@ -401,7 +401,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
         c->last.finest = 0;
-        status = c->m->switching ? cover_between_switches(c, c->t, h, step)
+        status = n_switches(c) ? cover_between_switches(c, c->t, h, step)
                                  : step_halving(c, h, UNDIVIDED);
         if (!status) follow_coarseness(c, h);
     }

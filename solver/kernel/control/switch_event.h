@@ -39,13 +39,13 @@ typedef struct piece {
    lengths. */
 static void begin_watched(context *c, double h)
 {
-    if (!c->m->n_motion_switches) return;
+    if (!n_motion_switches(c)) return;
     sense(c, 0.0, 0);
     set_laws(c, c->t, 1);
     keep_state(c, c->k.switch_backup);
     c->k.watched[0] = c->t + rounding_of_time(c->t, h);
     c->k.watched[1] = c->t + h + rounding_of_time(c->t, h);
-    for (int32_t k = 0; k < c->m->n_switches; k++) {
+    for (int32_t k = 0; k < n_switches(c); k++) {
         c->k.seen[k] = 0.0;
         c->k.argument_begin[k] = c->number[switch_of(c, k)->argument];
         c->k.argument_least[2 * k + 1] = INFINITY;
@@ -55,7 +55,7 @@ static void begin_watched(context *c, double h)
 
 static int has_seen_switch(const context *c)
 {
-    for (int32_t k = 0; k < c->m->n_switches && c->m->n_motion_switches; k++)
+    for (int32_t k = 0; k < n_switches(c) && n_motion_switches(c); k++)
         if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0) return 1;
     return 0;
 }
@@ -96,12 +96,12 @@ static int is_off(const context *c, int32_t k, double g)
    quantity that rows hold at 0 has either sign. A step that failed tells nothing of it. */
 HM_SELDOM static void forgive_rounding(context *c, int32_t status)
 {
-    memset(c->k.by_rounding, 0, sizeof(double) * (size_t)c->m->n_switches);
+    memset(c->k.by_rounding, 0, sizeof(double) * (size_t)n_switches(c));
     if (status) return;
     c->k.watched[1] = -INFINITY;
     sense(c, 0.0, 0);
     set_laws(c, c->t, 1);
-    for (int32_t k = 0; k < c->m->n_switches; k++) {
+    for (int32_t k = 0; k < n_switches(c); k++) {
         const switch_place *x = switch_of(c, k);
         const double side = c->s.side[k], end = c->number[x->argument];
         if (!x->is_of_motion || !(c->k.seen[k] != 0.0 || is_off(c, k, end))) continue;
@@ -140,7 +140,7 @@ static int look_at_switches(context *c, double *argument)
     c->k.watched[1] = -INFINITY; /* that the end is off its side is no news */
     sense(c, 0.0, 0);
     set_laws(c, c->t, 1);
-    for (int32_t k = 0; k < c->m->n_switches; k++) {
+    for (int32_t k = 0; k < n_switches(c); k++) {
         const switch_place *x = switch_of(c, k);
         argument[k] = c->number[x->argument];
         off |= is_off(c, k, argument[k]);
@@ -153,7 +153,7 @@ static int look_at_switches(context *c, double *argument)
 static int is_behind(context *c, int32_t status, double *argument)
 {
     if (!status) return look_at_switches(c, argument);
-    for (int32_t k = 0; k < c->m->n_switches; k++)
+    for (int32_t k = 0; k < n_switches(c); k++)
         argument[k] = c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0 ? NAN : c->s.side[k];
     return 1;
 }
@@ -198,7 +198,7 @@ HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
 HM_SELDOM static double find_turns(context *c, piece *x)
 {
     double turn = 0.0;
-    for (int32_t k = 0; k < c->m->n_switches && turn == 0.0; k++)
+    for (int32_t k = 0; k < n_switches(c) && turn == 0.0; k++)
         for (int way = -1; way <= 1 && turn == 0.0 && !x->status; way += 2)
             turn = find_turn(c, x, k, way);
     return turn;
@@ -227,13 +227,16 @@ static int shorten_to_switch(context *c, piece *x, double *argument)
    switches there. */
 typedef struct bracket {
     double low, high, *at_low, *at_high;
-    int32_t failed; /* why there is no step of length `high`, or 0 */
+    double of_low, of_high; /* what arguments there count: half as much each time that the other end
+                               moves again, so that lines lead beyond the crossing (Illinois) */
+    int moved;              /* the end that has moved last: -1 low, 1 high, 0 none */
+    int32_t failed;         /* why there is no step of length `high`, or 0 */
 } bracket;
 
 /* Whether a switch that stands on its level leaves it in a step. */
 static int leaves_level(const context *c, const double *argument)
 {
-    for (int32_t k = 0; k < c->m->n_switches; k++)
+    for (int32_t k = 0; k < n_switches(c); k++)
         if (switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0
             && is_off(c, k, argument[k]))
             return 1;
@@ -245,28 +248,34 @@ static int leaves_level(const context *c, const double *argument)
 static double crossing_in(const context *c, const bracket *b)
 {
     double first = b->high;
-    for (int32_t k = 0; k < c->m->n_switches; k++) {
+    for (int32_t k = 0; k < n_switches(c); k++) {
         const switch_place *x = switch_of(c, k);
         const double side = c->s.side[k], low = b->at_low[k], high = b->at_high[k];
         if (!is_off(c, k, high)) continue;
-        const double part =
-            ((x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0) - low) / (high - low);
+        const double level = x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0,
+                     ahead = b->of_low * (level - low), behind = b->of_high * (high - level),
+                     part = ahead / (ahead + behind);
         first =
             fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
     }
     return first;
 }
 
-/* Next length to try: where lines lead, and by turns a little behind, since one end may not stand
-   still; the middle where the step behind fails, or three tries have not halved the bracket. */
-static double next_length(const context *c, const bracket *b, int trial, double last, double round)
+/* Next length to try: where lines lead; the middle where the step behind fails, or three tries have
+   not halved the bracket. */
+static double next_length(const context *c, const bracket *b, int is_slow, double round)
 {
-    const double width = b->high - b->low, guess = crossing_in(c, b),
-                 behind = guess + fmax(0.1 * fmin(guess - b->low, b->high - guess), 0.5 * round);
-    if (b->failed || (width > 0.5 * last && trial % 3 == 2)
-        || !(behind > b->low && behind < b->high))
-        return b->low + 0.5 * width;
-    return trial % 2 ? behind : fmax(guess, b->low + 0.5 * round);
+    if (b->failed || is_slow) return b->low + 0.5 * (b->high - b->low);
+    return fmin(fmax(crossing_in(c, b), b->low + 0.5 * round), b->high - 0.5 * round);
+}
+
+/* Moves the end of a bracket ahead of the switch (-1), or behind it (1), to a length. */
+static void move_end(bracket *b, int end, double length)
+{
+    *(end > 0 ? &b->high : &b->low) = length;
+    *(end > 0 ? &b->of_high : &b->of_low) = 1.0;
+    if (b->moved == end) *(end > 0 ? &b->of_low : &b->of_high) *= 0.5;
+    b->moved = end;
 }
 
 /* Whether the last step of a piece has seen switch k farther off its side than it is at the end. */
@@ -285,7 +294,7 @@ static int was_farther_off(const context *c, const piece *x, int32_t k)
    another one or the same. */
 static int has_other_seen(const context *c, const piece *x)
 {
-    for (int32_t k = 0; k < c->m->n_switches; k++)
+    for (int32_t k = 0; k < n_switches(c); k++)
         if (c->k.seen[k] != 0.0 && c->k.by_rounding[k] == 0.0
             && (!is_off(c, k, c->k.argument_high[k]) || was_farther_off(c, x, k)))
             return 1;
@@ -296,30 +305,31 @@ static int has_other_seen(const context *c, const piece *x)
    its length is 0 then if that is where it begins. */
 HM_SELDOM static int32_t find_switch(context *c, piece *x)
 {
-    const int32_t n = c->m->n_switches;
+    const int32_t n = n_switches(c);
     const double least = CLOSER * x->length, round = 4e-16 * (fabs(x->t) + x->length);
-    double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried,
-           last = INFINITY;
+    double *at_low = c->k.argument_low, *at_high = c->k.argument_high, *at = c->k.argument_tried;
     x->crossed = 0;
-    if (!c->m->n_motion_switches) return x->status;
+    if (!n_motion_switches(c)) return x->status;
     forgive_rounding(c, x->status);
     if (!shorten_to_switch(c, x, at_high)) return x->status;
     const double whole = x->length;
-    bracket b = {0.0, whole, at_low, at_high, x->status};
-    double made = whole;
+    bracket b = {0.0, whole, at_low, at_high, 1.0, 1.0, 0, x->status};
+    double made = whole, before = INFINITY; /* width three tries ago */
     return_to_start(c, x);
     look_at_switches(c, at_low);
     if (leaves_level(c, at_high)) b.high = 0.0;
     for (int trial = 0; trial < MOST_TRIALS && b.high - b.low > round; trial++) {
-        const double next = next_length(c, &b, trial, last, round);
+        const int is_third = trial % 3 == 2;
+        const double width = b.high - b.low,
+                     next = next_length(c, &b, is_third && width > 0.5 * before, round);
         if (!(next > b.low && next < b.high)) break;
-        last = b.high - b.low;
+        if (is_third) before = width;
         step_anew(c, x, made = next);
         if (fails_otherwise(c, x) && !b.failed) return x->status;
         const int is_late = is_behind(c, x->status, at);
         memcpy(is_late ? at_high : at_low, at, sizeof(double) * (size_t)n);
-        if (is_late) b.high = made, b.failed = x->status;
-        else b.low = made;
+        move_end(&b, is_late ? 1 : -1, made);
+        if (is_late) b.failed = x->status;
     }
     int is_known = !b.failed;
     for (int32_t k = 0; k < n; k++) is_known |= at_high[k] != at_high[k];
@@ -386,9 +396,9 @@ HM_SELDOM static int32_t pass_time(context *c, double time)
 {
     keep_signals(c, time);
     double *before = c->k.argument_low;
-    memcpy(before, c->s.side, sizeof(double) * (size_t)c->m->n_switches);
+    memcpy(before, c->s.side, sizeof(double) * (size_t)n_switches(c));
     settle_sides(c, time, 1);
-    int32_t first = c->m->n_switches - 1;
+    int32_t first = n_switches(c) - 1;
     for (int32_t k = first; k >= 0; k--)
         if (before[k] != c->s.side[k]) first = k;
     return blame_switch(c, begin_on_sides(c, time), first);
@@ -399,7 +409,7 @@ HM_SELDOM static int32_t pass_time(context *c, double time)
    them. */
 HM_SELDOM static int32_t pass_motion(context *c)
 {
-    const int32_t n = c->m->n_switches;
+    const int32_t n = n_switches(c);
     const double *at_high = c->k.argument_high;
     int32_t last = 0;
     keep_signals(c, c->t);
@@ -432,7 +442,7 @@ HM_SELDOM static int32_t stop_at_switch(context *c, piece *x, double rest, doubl
 {
     const double t = x->t, round = rounding_of_time(t, step);
     double stop;
-    if (!c->m->switching) return HOLONOM_OK;
+    if (!n_switches(c)) return HOLONOM_OK;
     while ((stop = next_stop(c, t, c->laws.start + step)) <= t + round) {
         const int32_t status = pass_time(c, stop);
         if (status) return status;

@@ -10,6 +10,7 @@ static int begin_half(context *c, double h, int half)
     const int parity = half % 2;
     c->h = h;
     c->step.half = half;
+    if (n_kinks(c)) watch_kinks(c);
     if (c->m->sensing) sense(c, h, parity);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
     signals_at(c, c->t + h, c->k.signal1);

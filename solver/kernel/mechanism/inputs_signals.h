@@ -29,7 +29,7 @@ static void load_inputs(const context *c, double t)
             m->input_course[i] == INPUT_HELD ? s->inputs[i] : s->inputs_before[i] + moved;
     }
     memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
-    for (int32_t k = 0; k < m->n_switches; k++) c->number[m->switch_table[5 * k + 1]] = s->side[k];
+    for (int32_t k = 0; k < n_switches(c); k++) c->number[m->switch_table[5 * k + 1]] = s->side[k];
 }
 
 /* Whether an input is on the move, or was in the last step. */
@@ -54,8 +54,15 @@ static void set_laws(context *c, double t, int booked)
     c->number[m->time_at] = t;
     if (!m->n_tape_laws) return;
     hm_run_tape(m, c->number, 1);
-    if (m->n_motion_switches) watch_switches(c, t);
+    if (n_motion_switches(c)) watch_switches(c, t);
     if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
+}
+
+/* Looks at switches at a state within a step, on the path of the step. */
+HM_SELDOM static void watch_kinks(context *c)
+{
+    sense(c, 0.0, 0);
+    set_laws(c, c->t, 0);
 }
 
 /* Signals at time t (n_signals, overwritten). */

@@ -206,8 +206,9 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion 
    read is the state. */
 HM_SELDOM static void laws_within(context *at, double t, double h, double c)
 {
-    if (at->m->sensing) sense(at, 0.0, 0);
-    if (at->m->time_dependent || at->m->sensing) set_laws(at, inside_of_step(t, h, c), 0);
+    const int reads = at->m->sensing || n_kinks(at);
+    if (reads) sense(at, 0.0, 0);
+    if (at->m->time_dependent || reads) set_laws(at, inside_of_step(t, h, c), 0);
 }
 
 /* Forgets those momenta of the island at hand that the accelerations a change in a time h, beyond

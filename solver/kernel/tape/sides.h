@@ -11,6 +11,17 @@ typedef struct switch_place {
 static inline const switch_place *switch_of(const context *c, int32_t k)
 { return (const switch_place *)(const void *)c->m->switch_table + k; }
 
+/* Kinks of energies that steps end at: those of a tolerance. Slopes of energies are exact across
+   them, and a mesh keeps events of contacts alone. */
+static inline int32_t n_kinks(const context *c)
+{ return c->tolerance > 0.0 && !c->mesh ? c->m->n_kinks : 0; }
+
+/* Switches that steps end at, and of these how many read the motion. */
+static inline int32_t n_switches(const context *c)
+{ return c->m->n_switches - c->m->n_kinks + n_kinks(c); }
+static inline int32_t n_motion_switches(const context *c)
+{ return c->m->n_motion_switches - c->m->n_kinks + n_kinks(c); }
+
 /* Whether an argument is off its side. What has no value is on a side of its own. */
 static int is_off_side(int kind, double g, double side)
 {
@@ -32,7 +43,7 @@ HM_SELDOM static void watch_switches(const context *c, double t)
 {
     double *seen = c->k.seen, *least = c->k.argument_least, *largest = c->k.argument_largest;
     if (!(t > c->k.watched[0] && t < c->k.watched[1])) return;
-    for (int32_t k = 0; k < c->m->n_switches; k++) {
+    for (int32_t k = 0; k < n_switches(c); k++) {
         const switch_place *x = switch_of(c, k);
         const double g = c->number[x->argument];
         if (x->is_of_motion && is_off_side(x->kind, g, c->s.side[k])) seen[k] = 1.0;

@@ -43,7 +43,7 @@ HM_SELDOM static void run_arguments(const context *c, double t)
 {
     const holonom_model *m = c->m;
     load_jets(c, t, 1);
-    for (int32_t j = 0; j < m->n_active && m->sensing; j++) {
+    for (int32_t j = 0; j < m->n_active && n_motion_switches(c); j++) {
         c->k.jet[2 * (m->sensor_at + j)] = c->number[m->sensor_rate_at + j];
         c->k.jet[2 * (m->sensor_rate_at + j)] = 0.0; /* accelerations depend on sides */
     }
@@ -63,17 +63,16 @@ static void seek_stop_anew(context *c)
    sides have is work. Where `is_booked` is 0 nothing has happened before. */
 HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
 {
-    const holonom_model *m = c->m;
     double *sides = c->k.seen;
-    if (!m->switching) return;
-    if (m->sensing) sense(c, 0.0, 0);
+    if (!n_switches(c)) return;
+    if (n_motion_switches(c)) sense(c, 0.0, 0);
     set_laws(c, t, is_booked);
-    memcpy(sides, c->s.side, sizeof(double) * (size_t)m->n_switches);
-    for (int32_t pass = 0, changed = 1; changed && pass <= m->n_switches;
+    memcpy(sides, c->s.side, sizeof(double) * (size_t)n_switches(c));
+    for (int32_t pass = 0, changed = 1; changed && pass <= n_switches(c);
          pass++) { /* each depends on those before it */
         changed = 0;
         run_arguments(c, t);
-        for (int32_t k = 0; k < m->n_switches; k++) {
+        for (int32_t k = 0; k < n_switches(c); k++) {
             const switch_place *x = switch_of(c, k);
             const int32_t at = x->argument;
             const hm_jet g = {c->number[at], c->k.jet[2 * at], c->k.jet[2 * at + 1]};
@@ -84,14 +83,14 @@ HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
             c->s.side[k] = side;
         }
     }
-    for (int32_t k = 0; k < m->n_switches;
+    for (int32_t k = 0; k < n_switches(c);
          k++) { /* booked from the laws as they were to those that they are */
         const double side = sides[k];
         sides[k] = c->s.side[k];
         c->s.side[k] = side;
     }
     set_laws(c, t, 0);
-    memcpy(c->s.side, sides, sizeof(double) * (size_t)m->n_switches);
+    memcpy(c->s.side, sides, sizeof(double) * (size_t)n_switches(c));
     set_laws(c, t, is_booked);
     seek_stop_anew(c);
 }
@@ -196,10 +195,10 @@ HM_SELDOM static double next_stop(context *c, double t, double end)
     const double law_time = c->number[m->time_at];
     if (c->switches.next == c->switches.next) return c->switches.next;
     c->switches.next = INFINITY;
-    if (m->n_motion_switches == m->n_switches || end < c->s.head[S_QUIET_UNTIL])
+    if (n_motion_switches(c) == n_switches(c) || end < c->s.head[S_QUIET_UNTIL])
         return c->switches.next;
     const double last = move_inputs(c) ? end : end + LOOKS_AHEAD * (end - c->laws.start);
-    for (int32_t k = 0; k < m->n_switches; k++) {
+    for (int32_t k = 0; k < n_switches(c); k++) {
         int left = MOST_RANGES;
         if (switch_of(c, k)->is_of_motion) continue;
         c->switches.next =

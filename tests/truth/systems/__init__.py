@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tests.truth.system import System
 from tests.truth.systems import (
+    buffers,
     drivers,
     equilibria,
     friction,
@@ -33,4 +34,5 @@ SYSTEMS: tuple[System, ...] = (
     *reactions.SYSTEMS,
     *friction.SYSTEMS,
     *impacts.SYSTEMS,
+    *buffers.SYSTEMS,
 )
