@@ -224,7 +224,8 @@ static int are_too_many(double made, double more, double *calm, int32_t failed)
 }
 
 /* Takes a piece in a communication step of length `step`; 1 if it is to be repeated with shorter
-   ones. */
+   ones. What is found of a step is gone where it is made anew to look for switches. The part of one
+   that ends at a switch adds as much of an error, for its length, as the whole. */
 static int try_piece(context *c, piece *x, double step)
 {
     double *head = c->s.head;
@@ -236,9 +237,14 @@ static int try_piece(context *c, piece *x, double step)
     x->take = is_brief ? short_piece : internal_step;
     x->status = x->take(c, x->length);
     const int is_judged = !x->status && !is_brief;
+    const double before = head[S_ERROR_ESTIMATE], whole = x->length;
     if (is_judged && judge_step(c, x->length, step)) return 1;
+    const double rate = (head[S_ERROR_ESTIMATE] - before) / whole;
     if (find_switch(c, x)) return 1;
-    return !is_judged && !is_brief && x->length > 0.0 && judge_step(c, x->length, step);
+    if (is_brief || !(x->length > 0.0) || (is_judged && !x->is_anew)) return 0;
+    if (!is_judged || !x->crossed) return judge_step(c, x->length, step);
+    head[S_ERROR_ESTIMATE] += rate * x->length;
+    return 0;
 }
 
 /* Goes back to the start of a piece that was tried in vain; the next one is shorter. */

@@ -33,6 +33,7 @@ typedef struct piece {
     int32_t status;                     /* of the last one taken */
     int stops, crossed; /* whether a switch of the time changes at its end, or one of the motion,
                            which is just behind the level then */
+    int is_anew;        /* whether the last step was made in looking for switches */
 } piece;
 
 /* Before a step of a piece is taken from the present state, maybe several times with other
@@ -126,6 +127,7 @@ static void step_anew(context *c, piece *x, double h)
     begin_watched(c, h);
     c->last.finest = 0;
     x->status = x->take(c, h);
+    x->is_anew = 1;
 }
 
 /* Whether the last step of a piece has failed, and no switch in it tells why. */
@@ -176,6 +178,8 @@ HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
     int tried = 0;
     const int is_on =
         x->is_of_motion && (left[2] > 0.0 || !is_off(c, k, c->k.argument_high[k]));
+    if (!(place[1] > CLOSER * h && place[1] < (1.0 - CLOSER) * h))
+        return 0.0; /* that is an end, and no parabola leads through it and the same end */
     while (is_on && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
         double least;
         const double lowest = lowest_between(place, left, &least);
