@@ -29,7 +29,7 @@ def swing(x, v, omega, centre, time):
 
 
 def on_stairs(start, stop):
-    """x'' = -9 x + 0.2 floor(20 x) from rest, by its crossings."""
+    """Solve x'' = -9 x + 0.2 floor(20 x) from rest, by its crossings."""
     t, x, v, omega = 0.0, start, 0.0, 3.0
     stair = math.floor(20 * start)
     while True:
@@ -50,7 +50,7 @@ def on_stairs(start, stop):
 
 
 def in_a_dead_zone(stop):
-    """x'' = -1.2 from x = 1 to 0.3, then x'' = -4 x."""
+    """Solve x'' = -1.2 from x = 1 to 0.3, then x'' = -4 x."""
     t = math.sqrt(1.4 / 1.2)
     return swing(0.3, -1.2 * t, 2.0, 0.0, stop - t)
 

@@ -245,9 +245,10 @@ static int leaves_level(const context *c, const double *argument)
 }
 
 /* Length at which the first switch is crossed, by lines through the arguments; the middle where
-   these do not tell. */
+   these do not tell, as where a piece begins just behind a level to which it comes back. */
 static double crossing_in(const context *c, const bracket *b)
 {
+    const double least = b->low > 0.0 ? 0.0 : CLOSER;
     double first = b->high;
     for (int32_t k = 0; k < c->m->n_switches; k++) {
         const switch_place *x = switch_of(c, k);
@@ -256,7 +257,7 @@ static double crossing_in(const context *c, const bracket *b)
         const double part =
             ((x->kind == SWITCH_LEVEL ? side + (high >= side) : 0.0) - low) / (high - low);
         first =
-            fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
+            fmin(first, b->low + (part >= least && part <= 1.0 ? part : 0.5) * (b->high - b->low));
     }
     return first;
 }
@@ -378,9 +379,10 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
     return jump_with_signals(c, t);
 }
 
-/* Blames a switch, by its number and 1, for a failure at it. */
+/* Blames a switch that has changed, by its number and 1, for a failure at it. */
 static int32_t blame_switch(context *c, int32_t status, int32_t k)
 {
+    c->switches.which = k;
     if (status) c->step.at_fault = 1 + k;
     return status;
 }
