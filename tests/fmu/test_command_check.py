@@ -153,7 +153,7 @@ def test_where_communication_steps_limit_steps_a_finer_run_is_found(capsys):
 
 
 def test_a_tenth_of_the_tolerance_that_changes_hardly_a_step_does_not_tell_the_error(capsys):
-    """At 1e-4 and 1e-5 nearly all steps of 0.01 s are covers of order 4, and both runs err alike."""
+    """At 1e-4 and 1e-5 nearly all steps of 0.01 s are of order 4, and both runs err alike."""
     fmu = text_fmu(PENDULUM.replace("5.0", "20.0").replace("0.05", "0.01"))
     _, seen, _ = checked(capsys, fmu)
     ours = run_fmu(fmu).values
