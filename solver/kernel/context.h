@@ -46,12 +46,12 @@ typedef struct switch_times {
 } switch_times;
 
 /* The event at hand: the function that has become 0, or -1; whether step_halving had to divide the
-   step, so that event_backup has its start; of contacts at rest whether forces as half steps tell
-   them are outside the cones, whether functions are those of what sticks together, and whether
-   these hold no longer. */
+   step, so that event_backup has its start; whether closed contacts went past an edge; of contacts
+   at rest whether forces as half steps tell them are outside the cones, whether functions are those
+   of what sticks together, and whether these hold no longer. */
 typedef struct event_at_hand {
     int32_t function;
-    int divided, outside, together, gives_way;
+    int divided, cuts, outside, together, gives_way;
 } event_at_hand;
 
 /* Factors: of the tangent at hand, all of it or lean ones; whether rows determine all multipliers

@@ -72,15 +72,44 @@ static double noise_of_normal(const context *c, int32_t i)
            / (c->h * c->h * number[c->m->row_sigma_at + row_of(c, c->m->contact_row[i])]);
 }
 
+/* Between two places on a surface that an edge parts, a discrete gradient may have any sign, and
+   what pulls looks as if it pushed. Such a half step goes through the surface by this part of its
+   way, and turns the velocity by this part of it. */
+#define THROUGH_EDGE 0.02
+#define TURNS_AT_EDGE 0.05
+
+/* Whether contact i, closed at both ends of the half step that is solved, is deep in penetration in
+   its middle; `way` is that of the fastest node. */
+static int goes_through_edge(context *c, int32_t i, double way)
+{
+    const holonom_model *m = c->m;
+    const int32_t n = DIM * (m->n_free + m->n_driven);
+    const double turned = normal_in_step(c, i) * c->h * c->h
+                          * c->number[m->row_sigma_at + row_of(c, m->contact_row[i])];
+    double *q = c->k.ahead, *signal = c->k.signal_before;
+    if (touch_of(c, i)->was_closed == 0.0 || !(turned > TURNS_AT_EDGE * way)) return 0;
+    memcpy(q, c->s.q, sizeof(double) * (size_t)n);
+    memcpy(signal, c->s.signal, sizeof(double) * (size_t)m->n_signals);
+    for (int32_t k = 0; k < n; k++) c->s.q[k] += 0.5 * c->k.d[k];
+    for (int32_t k = 0; k < m->n_signals; k++)
+        c->s.signal[k] += 0.5 * (c->k.signal1[k] - signal[k]);
+    const double gap = gap_of(c, i);
+    memcpy(c->s.q, q, sizeof(double) * (size_t)n);
+    memcpy(c->s.signal, signal, sizeof(double) * (size_t)m->n_signals);
+    return gap < -THROUGH_EDGE * way;
+}
+
 /* Opens closed contacts that would pull. One whose friction sticks slides first: its friction may
    be what pulls. */
 static void open_pulling(context *c, objections *x)
 {
-    const double none = NO_FORCE * largest_normal(c, c->k.mu);
+    const double none = NO_FORCE * largest_normal(c, c->k.mu), way = largest_way(c);
     EACH_CONTACT(c, i) {
         const int32_t f = c->m->contact_friction[i];
         double along[3];
-        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i))
+        if (!is_closed(c, i)
+            || !(normal_in_step(c, i) < -none - noise_of_normal(c, i)
+                 || goes_through_edge(c, i, way))
             || !add_objection(c, x, i))
             continue;
         const int jams = f >= 0 && friction_mode(c, f) == FRICTION_STICKS && c->k.flips[f] < 2.0;

@@ -107,10 +107,10 @@ static inline int may_step_over(int32_t status)
 }
 
 /* Whether a piece of length h that failed so is to be cut: a slip in space may stop sooner than its
-   rate says. */
+   rate says, and a contact part at an edge that it came to. */
 static int is_to_be_cut(const context *c, int32_t status, double h)
 {
-    return is_unsolved(status) && slides_in_space(c) && !is_short(c, h);
+    return (c->event.cuts || is_unsolved(status)) && !is_short(c, h);
 }
 
 /* Covers the rest of a communication step of length `step` that began at `start`. Multipliers are

@@ -273,6 +273,19 @@ static void repeat_shorter(context *c, const piece *x, double law_time)
     head[S_WANTED] = x->length;
 }
 
+/* Takes what rate closed contacts have across their surfaces where a piece begins that seems to
+   pass an edge: it would be mirrored, however short the piece. */
+HM_SELDOM static int32_t forget_rates_across(context *c)
+{
+    const double most = 0.5 * ACROSS_EDGE * fastest_node(c);
+    int moves = 0;
+    evaluate_state(c);
+    EACH_CONTACT(c, i) moves |= is_closed(c, i) && fabs(gap_rate(c, i)) > most;
+    if (!moves) return HOLONOM_OK;
+    if (mesh_of(c)) note_ahead(c, MESH_PROJECTED - MESH_LOWERED);
+    return project_velocities(c, S_IMPACT);
+}
+
 /* Ends a piece at its first event, at most; `covered` is its length then. Where that fails so that
    shorter steps may help, or stepped contacts, it is undone. */
 static int32_t end_at_event(context *c, const piece *x, double law_time, double *covered)
@@ -281,7 +294,8 @@ static int32_t end_at_event(context *c, const piece *x, double law_time, double 
     if (!is_unilateral(c->m) || (x->crossed && !(x->length > 0.0))) return HOLONOM_OK;
     const int32_t status = end_piece(c, x->t, law_time, x->length, covered);
     if (may_step_over(status)) undo_piece(c, x->t, law_time);
-    return status;
+    const int32_t failed = c->event.cuts ? forget_rates_across(c) : HOLONOM_OK;
+    return failed ? failed : status;
 }
 
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */

@@ -173,9 +173,8 @@ static int32_t step_halving(context *c, double h, int left)
         return step_halving(c, h, left);
     }
     if (left == UNDIVIDED) left = most_halvings(c, h, status);
-    if (left == 0 || slides_in_space(c))
-        return status; /* a slip may stop in it: the piece is cut instead */
-    if (is_unilateral(c->m) && !c->event.divided) keep_start(c);
+    if (left == 0 || is_unilateral(c->m))
+        return status; /* an event may be in it: the piece is cut instead */
     status = step_halving(c, 0.5 * h, left - 1);
     return status ? status : step_halving(c, 0.5 * h, left - 1);
 }
