@@ -45,8 +45,8 @@ static double speed_beyond(const context *c, int32_t i, double h, double force)
                 - function_rate(c, j, c->s.q, c->s.q_low, v0, c->s.signal, c->k.signal_rate));
 }
 
-/* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the state,
-   whose functions at its ends are known. */
+/* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the
+   state, whose functions at its ends are known. */
 static int passes_edge(const context *c, double h, event_values low, event_values high)
 {
     const double most = fmax(ACROSS_EDGE * fastest_node(c), speed_tolerance(c));
