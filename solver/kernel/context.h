@@ -38,10 +38,11 @@ typedef struct secant_pairs {
 
 /* Switches of laws: when the next of the time changes, infinite without one, NaN: not known; the
    time after which one that changes again does not go forth and back without end; when they last
-   changed, and how often in turn without a pause. */
+   changed, how often in turn without a pause, and which. */
 typedef struct switch_times {
     double next, pause, last;
     int quick;
+    int32_t which;
 } switch_times;
 
 /* The event at hand: the function that has become 0, or -1; whether event_backup has the start of

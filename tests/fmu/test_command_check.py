@@ -88,6 +88,13 @@ def test_steps_too_long_for_a_rotor_are_said_so_with_the_step_that_is_short_enou
     assert 0.3e-4 < abs(120.0 - shorter) < 1.5e-4  # 1e-4, from steps that are no small ones
 
 
+def test_the_remedy_for_steps_that_are_too_long_leaves_out_what_is_set(capsys):
+    for setting in ("step_size=0.01", "order=4"):
+        code, _, err = checked(capsys, text_fmu(ROTOR), "--set", f"solver.{setting}")
+        assert code == 1
+        assert f"; leave solver.{setting.partition('=')[0]} out, so that steps follow" in err
+
+
 def test_forces_that_are_off_are_said_where_the_path_is_exact(capsys):
     """A shaft that is driven: its places are prescribed, the torque is not."""
     text = """
@@ -143,6 +150,16 @@ def test_where_communication_steps_limit_steps_a_finer_run_is_found(capsys):
     _, seen, _ = checked(capsys, text_fmu(PENDULUM), *values)
     assert seen["finer"] == {"solver.tolerance": pytest.approx(1e-5)}
     assert 0.0 < seen["error"] < 1e-2
+
+
+def test_a_tenth_of_the_tolerance_that_changes_hardly_a_step_does_not_tell_the_error(capsys):
+    """At 1e-4 and 1e-5 nearly all steps of 0.01 s are of order 4, and both runs err alike."""
+    fmu = text_fmu(PENDULUM.replace("5.0", "20.0").replace("0.05", "0.01"))
+    _, seen, _ = checked(capsys, fmu)
+    ours = run_fmu(fmu).values
+    angle = pendulum_angle(ours["time"], math.pi / 2)
+    error = max(abs(ours["A.x"] - np.sin(angle)).max(), abs(ours["A.y"] + np.cos(angle)).max())
+    assert 0.5 * error < of_kind(seen, "places")["largest"] < 2.0 * error
 
 
 # ------------------------------------------------------------------------------------------ chaos

@@ -330,6 +330,16 @@ def test_a_force_with_the_sign_of_another_rate_is_refused_where_it_would_hold():
     assert integrator.time == 0.0
 
 
+def test_a_law_that_switches_too_often_for_a_communication_step_is_named():
+    integrator = start(
+        solver.assemble(solver.loads(POINT.format(law="floor(1e7*t)/1e7", x=0, v=0)))
+    )
+    with pytest.raises(
+        solver.StepError, match=r"force 'f': floor.* hundreds of thousands of times"
+    ):
+        integrator.advance(0.0, 0.5)
+
+
 BALL = """
 name = "ball"
 dimension = 2

@@ -26,6 +26,8 @@ enum { MAX_REPEATS = 40 };
     0.05 /* of the motion, or a body, in a pair that takes the place of an explicit step [rad] */
 #define PRESENT 0.9 /* times its cost, of the method that is in use */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
+#define OF_LIGHT_NODES 4.0 /* error that a swinging light node ends with, over what steps tell */
+#define OFTEN 0.05 /* changes of sides for a half step, which take half steps for themselves */
 /* Of pieces in a communication step: 20 halvings of each of 50 slips that stop. */
 enum { MOST_CUTS = 1000 };
 #define MOMENT                                                                                     \
@@ -193,7 +195,8 @@ static int judge_step(context *c, double h, double step)
     head[S_WANTED] = h * fmax(change, SHORTEST);
     if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->last.longest_put_back);
     if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
-    head[S_ERROR_ESTIMATE] += share * h * tolerated(c) / head[S_HORIZON];
+    head[S_ERROR_ESTIMATE] +=
+        (judged && e.is_hidden ? OF_LIGHT_NODES : 1.0) * share * h * tolerated(c) / head[S_HORIZON];
     if (judged) head[S_LAST_RATE] = e.rate_of_all;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is
        judged as it was before. */
@@ -223,8 +226,18 @@ static int are_too_many(double made, double more, double *calm, int32_t failed)
     return !(made + (!failed && made - *calm < MOMENT ? 0.0 : more) < MOST_HALF_STEPS);
 }
 
+/* Why so many half steps are too many: laws switch nearly as often, or the tolerance asks for
+   them. */
+static int32_t blame_for_many(context *c, double half_steps)
+{
+    return c->s.head[S_SWITCHED] > OFTEN * half_steps
+               ? blame_switch(c, HOLONOM_LAW_SWITCHES, c->switches.which)
+               : HOLONOM_STEP_COLLAPSED;
+}
+
 /* Takes a piece in a communication step of length `step`; 1 if it is to be repeated with shorter
-   ones. */
+   ones. What is found of a step is gone where it is made anew to look for switches. The part of one
+   that ends at a switch adds as much of an error, for its length, as the whole. */
 static int try_piece(context *c, piece *x, double step)
 {
     double *head = c->s.head;
@@ -236,9 +249,14 @@ static int try_piece(context *c, piece *x, double step)
     x->take = is_brief ? short_piece : internal_step;
     x->status = x->take(c, x->length);
     const int is_judged = !x->status && !is_brief;
+    const double before = head[S_ERROR_ESTIMATE], whole = x->length;
     if (is_judged && judge_step(c, x->length, step)) return 1;
+    const double rate = (head[S_ERROR_ESTIMATE] - before) / whole;
     if (find_switch(c, x)) return 1;
-    return !is_judged && !is_brief && x->length > 0.0 && judge_step(c, x->length, step);
+    if (is_brief || !(x->length > 0.0) || (is_judged && !x->is_anew)) return 0;
+    if (!is_judged || !x->crossed) return judge_step(c, x->length, step);
+    head[S_ERROR_ESTIMATE] += rate * x->length;
+    return 0;
 }
 
 /* Goes back to the start of a piece that was tried in vain; the next one is shorter. */
@@ -297,7 +315,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         if (are_too_many(half_steps, n * c->step.halves, &calm, failed)) {
             if (is_unilateral(c->m) && may_step_over(failed))
                 return step_over(c, failed, start, done, step);
-            return failed ? failed : HOLONOM_STEP_COLLAPSED;
+            return failed ? failed : blame_for_many(c, half_steps);
         }
         c->last.finest = 0;
         c->last.shorter = 0.5;

@@ -50,6 +50,7 @@ typedef struct step_error {
     double settled; /* likewise of what strong dampers settle: it is gone with the step, and does
                        not add up */
     int is_noise; /* whether round-off of velocities is all that the difference shows */
+    int is_hidden; /* whether a light node has it, which the mass norm hides */
 } step_error;
 
 /* Square of the angular velocity of a body from the rates of its first director, or of three:
@@ -279,6 +280,7 @@ static int estimate_error(context *c, double h, step_error *e)
         largest_at_node(c, h, c->last.method == COMPOSED ? c->k.estimate : x);
     const double difference = fmax(of_all, of_node);
     e->is_noise = is_noise(c, used->round_off, difference, h);
+    e->is_hidden = of_node > HIDDEN * of_all;
     if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after
                              so many pairs */
         e->mean = difference;

@@ -33,6 +33,7 @@ typedef struct piece {
     int32_t status;                     /* of the last one taken */
     int stops, crossed; /* whether a switch of the time changes at its end, or one of the motion,
                            which is just behind the level then */
+    int is_anew;        /* whether the last step was made in looking for switches */
 } piece;
 
 /* Before a step of a piece is taken from the present state, maybe several times with other
@@ -126,6 +127,7 @@ static void step_anew(context *c, piece *x, double h)
     begin_watched(c, h);
     c->last.finest = 0;
     x->status = x->take(c, h);
+    x->is_anew = 1;
 }
 
 /* Whether the last step of a piece has failed, and no switch in it tells why. */
@@ -176,6 +178,8 @@ HM_SELDOM static double find_turn(context *c, piece *step, int32_t k, int way)
     int tried = 0;
     const int is_on =
         x->is_of_motion && (left[2] > 0.0 || !is_off(c, k, c->k.argument_high[k]));
+    if (!(place[1] > CLOSER * h && place[1] < (1.0 - CLOSER) * h))
+        return 0.0; /* that is an end, and no parabola leads through it and the same end */
     while (is_on && tried < MOST_LOOKS && place[1] > place[0] && place[1] < place[2]) {
         double least;
         const double lowest = lowest_between(place, left, &least);
@@ -244,9 +248,10 @@ static int leaves_level(const context *c, const double *argument)
 }
 
 /* Length at which the first switch is crossed, by lines through the arguments; the middle where
-   these do not tell. */
+   these do not tell, as where a piece begins just behind a level to which it comes back. */
 static double crossing_in(const context *c, const bracket *b)
 {
+    const double least = b->low > 0.0 ? 0.0 : CLOSER;
     double first = b->high;
     for (int32_t k = 0; k < n_switches(c); k++) {
         const switch_place *x = switch_of(c, k);
@@ -256,7 +261,7 @@ static double crossing_in(const context *c, const bracket *b)
                      ahead = b->of_low * (level - low), behind = b->of_high * (high - level),
                      part = ahead / (ahead + behind);
         first =
-            fmin(first, b->low + (part >= 0.0 && part <= 1.0 ? part : 0.5) * (b->high - b->low));
+            fmin(first, b->low + (part >= least && part <= 1.0 ? part : 0.5) * (b->high - b->low));
     }
     return first;
 }
@@ -384,9 +389,10 @@ HM_SELDOM static int32_t begin_on_sides(context *c, double t)
     return jump_with_signals(c, t);
 }
 
-/* Blames a switch, by its number and 1, for a failure at it. */
+/* Blames a switch that has changed, by its number and 1, for a failure at it. */
 static int32_t blame_switch(context *c, int32_t status, int32_t k)
 {
+    c->switches.which = k;
     if (status) c->step.at_fault = 1 + k;
     return status;
 }

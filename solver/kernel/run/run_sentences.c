@@ -79,11 +79,11 @@ const char *hm_about_step(int32_t status)
                "repeat a run with solver.contact_mode located that ends before";
 #endif
     case HOLONOM_LAW_SWITCHES:
-        return "it switches 1000 times at one moment, or a million times in this communication "
-               "step; give it a hysteresis, or "
+        return "it switches 1000 times at one moment, or hundreds of thousands of times in this "
+               "communication step; give it a hysteresis, or "
                "a slope in the place of the jump, as min(max(20*x, -1), 1) has for sign(x); a "
-               "force that rubs holds where it is written "
-               "with the sign of the rate along which it acts";
+               "force -c*sign(s) that rubs holds where s is the rate along which it acts, and c "
+               "of numbers, parameters and s alone";
     case HOLONOM_SIGNAL_JUMPS:
         return "what it drives would jump to another place in this communication step; let its "
                "value go there smoothly, over some time";
@@ -304,9 +304,10 @@ void hm_say_steps(hm_text *text, const double *head, int is_explicit)
 {
     const double tolerance = hm_tolerance(head), order = head[S_ORDER];
     const int is_stepped = head[S_CONTACT_MODE] != 0.0;
-    hm_say(text, "%sconserving steps", is_explicit ? "explicit and " : "");
+    hm_say(text, "conserving steps");
     if (!(tolerance > 0.0) || order > 0.0)
         hm_say(text, " of order %6g", order > 0.0 && !is_stepped ? order : 2.0);
+    if (is_explicit) hm_say(text, ", and explicit ones where they are possible");
     if (tolerance > 0.0) hm_say(text, ", chosen for a relative error of the run of %6g", tolerance);
     else hm_say(text, ", of at most %6g s", hm_step_size(head));
     if (is_stepped && head[S_TOLERANCE] > 0.0)
@@ -513,8 +514,10 @@ static void say_coarse_steps(hm_text *text, const hm_model_file *f, const double
     else hm_say(text, " changes its acceleration too fast");
     if (is_over) say_what_is_off(text, head, &x);
     if (!is_stepped)
-        hm_say(text, "; leave solver.step_size %sout, so that steps follow the motion",
-               head[S_ORDER] > 0.0 ? "and solver.order " : "");
+        hm_say(text, "; leave solver.%s out, so that steps follow the motion",
+               !(head[S_ORDER] > 0.0)        ? "step_size"
+               : head[S_STEP_SIZE] > 0.0 ? "step_size and solver.order"
+                                         : "order");
     if (is_over)
         hm_say(text, "%s set solver.step_size <= %2g s, for an error of about %6g",
                is_stepped ? ";" : ", or", short_enough(head, &x), HOLONOM_USUAL_TOLERANCE);
