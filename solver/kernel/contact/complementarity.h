@@ -79,7 +79,7 @@ static double noise_of_normal(const context *c, int32_t i)
 #define TURNS_AT_EDGE 0.05
 
 /* Whether contact i, closed at both ends of the half step that is solved, is deep in penetration in
-   its middle; `way` is that of the fastest node. Stepped contacts close on the way. */
+   its middle; `way` is that of the fastest node. */
 static int goes_through_edge(context *c, int32_t i, double way)
 {
     const holonom_model *m = c->m;
@@ -87,9 +87,7 @@ static int goes_through_edge(context *c, int32_t i, double way)
     const double turned = normal_in_step(c, i) * c->h * c->h
                           * c->number[m->row_sigma_at + row_of(c, m->contact_row[i])];
     double *q = c->k.ahead, *signal = c->k.signal_before;
-    if (c->step.changes_contacts || touch_of(c, i)->was_closed == 0.0
-        || !(turned > TURNS_AT_EDGE * way))
-        return 0;
+    if (touch_of(c, i)->was_closed == 0.0 || !(turned > TURNS_AT_EDGE * way)) return 0;
     memcpy(q, c->s.q, sizeof(double) * (size_t)n);
     memcpy(signal, c->s.signal, sizeof(double) * (size_t)m->n_signals);
     for (int32_t k = 0; k < n; k++) c->s.q[k] += 0.5 * c->k.d[k];
