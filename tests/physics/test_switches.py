@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline, PchipInterpolator, make_interp_spline
 
 import solver
@@ -319,6 +320,36 @@ def test_a_force_with_the_sign_of_its_rate_holds(method):
     """It loses 1 m/s at 0.3 m/s^2, after 10/3 s at x = 5/3, and stays there."""
     found = moved("0.5 - 0.8*sign(A.vx)", method, stop=5.0, step=0.1, v=1.0)
     assert found == pytest.approx((5 / 3, 0.0), abs=1e-12)
+
+
+@pytest.mark.parametrize("options", [{"tolerance": 1e-8}, {"step_size": 1e-3, "order": 2}])
+def test_a_law_may_begin_on_its_level_where_friction_lets_no_long_step_be_solved(options):
+    # A rod of 1 m let go in the horizontal, at the angle a below it: along x its end neither moves
+    # nor slips at first. a'' = g cos a - sin a (1 + sin a) while it swings to the left.
+    swing = start(
+        solver.assemble(
+            solver.loads(
+                "gravity = [0, -9.81]\n"
+                + POINT.format(law="-sign(A.vx) + abs(A.y)", x=1, v=0)
+                + "[points.o]\nposition = [0, 0]\nfixed = true\n"
+                + '[joints]\nrod = { type = "distance", points = ["o", "A"] }\n'
+            )
+        ),
+        **options,
+    )
+    for k in range(10):
+        swing.advance(0.1 * k, 0.1)
+    exact = solve_ivp(
+        lambda _, y: [y[1], 9.81 * math.cos(y[0]) - math.sin(y[0]) * (1 + math.sin(y[0]))],
+        (0.0, 1.0),
+        [0.0, 0.0],
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-12,
+    ).y[:, -1]
+    found = float(swing["A.x"]), float(swing["A.y"])
+    allowed = 3e-8 if "tolerance" in options else 1e-5
+    assert found == pytest.approx((math.cos(exact[0]), -math.sin(exact[0])), abs=allowed)
 
 
 def test_a_force_with_the_sign_of_another_rate_is_refused_where_it_would_hold():

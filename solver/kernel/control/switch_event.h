@@ -237,13 +237,15 @@ typedef struct bracket {
     int32_t failed;         /* why there is no step of length `high`, or 0 */
 } bracket;
 
-/* Whether a switch that stands on its level leaves it in a step. */
+/* Whether switch k stands on its level, which is a side of its own. */
+static int is_on_level(const context *c, int32_t k)
+{ return switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0; }
+
+/* Whether a switch that stands on its level leaves it in a step; one that fails does not tell. */
 static int leaves_level(const context *c, const double *argument)
 {
     for (int32_t k = 0; k < n_switches(c); k++)
-        if (switch_of(c, k)->kind == SWITCH_SIGN && c->s.side[k] == 0.0
-            && is_off(c, k, argument[k]))
-            return 1;
+        if (is_on_level(c, k) && argument[k] == argument[k] && is_off(c, k, argument[k])) return 1;
     return 0;
 }
 
@@ -322,8 +324,8 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
     double made = whole, before = INFINITY; /* width three tries ago */
     return_to_start(c, x);
     look_at_switches(c, at_low);
-    if (leaves_level(c, at_high)) b.high = 0.0;
-    for (int trial = 0; trial < MOST_TRIALS && b.high - b.low > round; trial++) {
+    int leaves = leaves_level(c, at_high);
+    for (int trial = 0; !leaves && trial < MOST_TRIALS && b.high - b.low > round; trial++) {
         const int is_third = trial % 3 == 2;
         const double width = b.high - b.low,
                      next = next_length(c, &b, is_third && width > 0.5 * before, round);
@@ -334,10 +336,11 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
         const int is_late = is_behind(c, x->status, at);
         memcpy(is_late ? at_high : at_low, at, sizeof(double) * (size_t)n);
         move_end(&b, is_late ? 1 : -1, made);
-        if (is_late) b.failed = x->status;
+        if (is_late) b.failed = x->status, leaves = leaves_level(c, at_high);
     }
+    if (leaves) b.high = 0.0;
     int is_known = !b.failed;
-    for (int32_t k = 0; k < n; k++) is_known |= at_high[k] != at_high[k];
+    for (int32_t k = 0; k < n; k++) is_known |= at_high[k] != at_high[k] && !is_on_level(c, k);
     if (!is_known) return x->status = b.failed; /* for another reason */
     x->length = b.failed ? b.low : b.high;
     x->crossed = 1;
