@@ -78,8 +78,8 @@ static double noise_of_normal(const context *c, int32_t i)
 #define THROUGH_EDGE 0.02
 #define TURNS_AT_EDGE 0.05
 
-/* Whether contact i, closed at both ends of the half step that is solved, is deep in penetration in
-   its middle; `way` is that of the fastest node. */
+/* Whether contact i, closed at both ends of the half step that is solved, is in penetration in its
+   middle, deeper than at its start; `way` is that of the fastest node. */
 static int goes_through_edge(context *c, int32_t i, double way)
 {
     const holonom_model *m = c->m;
@@ -96,7 +96,7 @@ static int goes_through_edge(context *c, int32_t i, double way)
     const double gap = gap_of(c, i);
     memcpy(c->s.q, q, sizeof(double) * (size_t)n);
     memcpy(c->s.signal, signal, sizeof(double) * (size_t)m->n_signals);
-    return gap < -THROUGH_EDGE * way - PENETRATION * c->number[m->extent_at];
+    return gap < touch_of(c, i)->gap - THROUGH_EDGE * way - PENETRATION * c->number[m->extent_at];
 }
 
 /* Opens closed contacts that would pull. One whose friction sticks slides first: its friction may

@@ -29,36 +29,58 @@ static const double *start_of_piece(const context *c)
    node: on smooth surfaces steps of a usual length leave 1e-2 of it, or less. */
 #define ACROSS_EDGE 0.05
 #define SURELY_SMOOTH 1e-3 /* a smaller part: forces at the end need not be evaluated */
+#define NO_EDGE 100.0      /* a larger one: no edge turns by so much, but a load that jumps may */
 
-/* Speed by which the row of contact i has changed the velocities in a half step, or in an explicit
-   step of length h, beyond what a force does. Multipliers do not tell that of steps too short for
-   them, in which forces do next to nothing. */
+/* Multipliers have a part that changes sign from one half step to the next: they tell less than
+   rates do. */
+#define TOLD_BY_FORCES 0.25
+
+/* Speed by which the row of contact i has changed the velocities in a piece of length h beyond what
+   a force does. Multipliers do not tell that of steps too short for them, in which forces do next
+   to nothing. */
 static double speed_beyond(const context *c, int32_t i, double h, double force)
 {
     const int32_t j = c->m->contact_row[i], row = row_of(c, j);
     const double *v0 = start_of_piece(c) + (c->s.v - c->s.head);
     const double per_force = c->number[c->m->row_sigma_at + row];
     if (c->last.method == EXPLICIT) return fabs(c->s.mean[row] + force) * h * per_force;
-    if (is_telling(c))
-        return fmax(fabs(c->s.mu[0][row] + force), fabs(c->s.mu[1][row] + force)) * fabs(c->h)
-               * per_force;
+    if (is_telling(c)) {
+        const double halves = fmax(fabs(c->s.mu[0][row] + force), fabs(c->s.mu[1][row] + force));
+        double means = 0.0;
+        for (int32_t k = 0; k < c->step.n_kept_forces; k++)
+            means = fmax(means, fabs(c->k.kept_forces[(int64_t)c->m->n_rows * k + row] + force));
+        return TOLD_BY_FORCES * per_force * fabs(c->h) * fmax(halves, means);
+    }
     return fabs(gap_rate(c, i)
                 - function_rate(c, j, c->s.q, c->s.q_low, v0, c->s.signal, c->k.signal_rate));
 }
 
 /* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the
-   state, whose functions at its ends are known. */
+   state, whose functions at its ends are known. Under a tolerance errors tell, and cut it. */
 static int passes_edge(const context *c, double h, event_values low, event_values high)
 {
-    const double most = fmax(ACROSS_EDGE * fastest_node(c), speed_tolerance(c));
+    const double fastest = fastest_node(c);
     const int is_shared = has_shares(c) || c->event.together || may_have_dependent_rows(c);
     EACH_CONTACT(c, i) {
         if (!is_closed(c, i)) continue;
-        const double force = 0.5 * (low.value[i] + high.value[i]);
-        if (fabs(gap_rate(c, i)) > most) return 1;
-        if (!is_shared && speed_beyond(c, i, h, force) > most) return 1;
+        if (fabs(gap_rate(c, i)) > fmax(ACROSS_EDGE * fastest, speed_tolerance(c))) return 1;
+        if (is_shared) continue;
+        const double beyond = speed_beyond(c, i, h, 0.5 * (low.value[i] + high.value[i]));
+        if (beyond > fmax(ACROSS_EDGE * fastest, speed_tolerance(c))
+            && beyond < NO_EDGE * fastest)
+            return 1;
     }
     return 0;
+}
+
+/* Whether a piece of length h, at whose start the normal force of closed contact i was `force`,
+   may have ended past an edge of it; `reach` are SAFE_WAYS of the fastest node. */
+static int is_edge_near(const context *c, int32_t i, double h, double reach, double force,
+                        int is_shared)
+{
+    const double speed = reach / (SAFE_WAYS * h), least = speed_tolerance(c);
+    if (is_shared) return fabs(gap_rate(c, i)) > fmax(ACROSS_EDGE * speed, least);
+    return !is_telling(c) || speed_beyond(c, i, h, force) > fmax(SURELY_SMOOTH * speed, least);
 }
 
 /* Whether multipliers are those of the half steps before. */
@@ -130,7 +152,7 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
     if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h && ahead <= FARTHEST)) return 0;
     for (int32_t i = 0; i < m->n_rows && has_forces(c); i++)
         c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
-    const int rests = has_shares(c);
+    const int rests = has_shares(c), is_shared = may_have_dependent_rows(c);
     if (rests) add_shares(c, c->k.event_mu);
     c->event.outside = has_forces(c) && is_outside(c);
     if (c->event.outside || (rests && !forces_stand_still(c))) return 0;
@@ -141,8 +163,8 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
             x.value[i] = normal_of(c, i);
             if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i])))
                 return 0;
-            if (!is_telling(c)
-                || speed_beyond(c, i, h, low.value[i]) > SURELY_SMOOTH / SAFE_WAYS * reach / h)
+            if (!(c->tolerance > 0.0)
+                && is_edge_near(c, i, h, reach, low.value[i], rests || is_shared))
                 return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
         else c->view.may_fall_asleep |= is_far_enough(c, i, x.value[i]);
@@ -444,6 +466,7 @@ static void forget_asleep(const context *c, event_values x)
 static int32_t cut_piece(context *c, double t, double law_time, double h, double *covered)
 {
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
+    const int has_equal_steps = !(c->tolerance > 0.0);
     double reach = SAFE_WAYS * h * fastest_node(c);
     int32_t status = HOLONOM_OK;
     *covered = h;
@@ -463,7 +486,8 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     if (!is_quiet(c, h, reach, low, high)) {
         if (c->view.near[NEAR_CONTACTS]) forget_asleep(c, low);
         status = event_functions(c, high);
-        c->event.cuts = !status && !is_short(c, h) && passes_edge(c, h, low, high);
+        c->event.cuts =
+            !status && has_equal_steps && !is_short(c, h) && passes_edge(c, h, low, high);
         if (c->event.cuts) return HOLONOM_CONTACT_UNDECIDED;
         if (!status) status = find_event(c, t, law_time, h, covered);
         follow_travel(c, start_of_piece(c));
