@@ -253,8 +253,8 @@ static int bilateral_pieces(const context *c, span *row)
 {
     const int rows =
         add_piece(row, 0, c->view.begin[ISLAND_FORM_ROW], c->view.end[ISLAND_FORM_ROW]);
-    return add_piece(row, rows, c->m->n_form_rows + DIM * c->view.begin[ISLAND_COINCIDENCE],
-                     c->m->n_form_rows + DIM * c->view.end[ISLAND_COINCIDENCE]);
+    return add_piece(row, rows, row_of_coincidence(c->m, c->view.begin[ISLAND_COINCIDENCE]),
+                     row_of_coincidence(c->m, c->view.end[ISLAND_COINCIDENCE]));
 }
 
 /* Lets islands first .. last - 1 be those at hand. */
@@ -263,7 +263,7 @@ static void look_at(context *c, int32_t first, int32_t last)
     const holonom_model *m = c->m;
     const int32_t *begin = m->island_begin + ISLAND_COLUMNS * first,
                   *end = m->island_begin + ISLAND_COLUMNS * last;
-    const int32_t first_function = m->n_form_rows + DIM * m->n_coincidences;
+    const int32_t of_elements = first_function_row(m) - m->n_elements;
     c->view.first = first, c->view.last = last;
     c->view.begin = begin, c->view.end = end;
     c->view.scalars = c->s.islands + I_SIZE * first;
@@ -274,8 +274,8 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->view.all_rows = bilateral_pieces(c, c->view.all_row);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         c->view.all_rows =
-            add_piece(c->view.all_row, c->view.all_rows, first_function + begin[k] - m->n_elements,
-                      first_function + end[k] - m->n_elements);
+            add_piece(c->view.all_row, c->view.all_rows, of_elements + begin[k],
+                      of_elements + end[k]);
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
         c->view.all_composites =
             add_piece(c->view.all_composite, c->view.all_composites, begin[k], end[k]);

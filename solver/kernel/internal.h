@@ -68,6 +68,15 @@ static inline int32_t n_contacts(const holonom_model *m) { return HM_CONTACTS ? 
 static inline int32_t n_frictions(const holonom_model *m)
 { return HM_CONTACTS ? m->n_frictions : 0; }
 
+/* Rows are those of forms, of which those that keep directors of bodies orthonormal are the last,
+   then those of coincidences, DIM each, then those of functions. */
+static inline int32_t first_rigidity_row(const holonom_model *m)
+{ return m->n_form_rows - m->n_rigidity_rows; }
+static inline int32_t row_of_coincidence(const holonom_model *m, int32_t j)
+{ return m->n_form_rows + DIM * j; }
+static inline int32_t first_function_row(const holonom_model *m)
+{ return row_of_coincidence(m, m->n_coincidences); }
+
 /* What a step leaves out where it can (docs/skips.md), and the places that ask. Always so, but for
    benchmarks/sections/skips.py, which measures what each saves with kernels compiled with
    -DHOLONOM_WITHOUT=<sum of these>. */

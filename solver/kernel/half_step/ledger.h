@@ -64,7 +64,7 @@ static void book_step(context *c)
     EACH_FORM_ROW(c, i) defect += c->k.mu[i] * (c->k.phi[i] - c->k.phi0[i]);
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         link_of(c, m->coincidence_form[j], c->k.d, du, unused);
-        defect += dot(c->k.mu + m->n_form_rows + DIM * j, du);
+        defect += dot(c->k.mu + row_of_coincidence(m, j), du);
     }
     book(c, S_DEFECT, defect);
     for (int32_t k = DIM * c->view.begin[ISLAND_FREE]; k < DIM * c->view.end[ISLAND_FREE]; k++)

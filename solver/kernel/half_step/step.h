@@ -26,7 +26,7 @@ static void form_rows_at_state(const context *c, int exact)
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         double high[DIM] = {0.0}, low[DIM] = {0.0};
         if (exact) exact_link(c, m->coincidence_form[j], m->alpha_at, m->alpha_turn_at, high, low);
-        EACH(k) c->k.phi0[m->n_form_rows + DIM * j + k] = high[k] + low[k];
+        EACH(k) c->k.phi0[row_of_coincidence(m, j) + k] = high[k] + low[k];
     }
 }
 

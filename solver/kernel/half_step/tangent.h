@@ -310,7 +310,7 @@ static int32_t nodal_residual(const context *c)
         add_gradient(c, m->row_form[i], c->h * c->k.mu[i], g.um, g.wm, c->k.momentum);
     }
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
-        const int32_t row = m->n_form_rows + DIM * j;
+        const int32_t row = row_of_coincidence(m, j);
         if (c->step.at_state && dot(c->k.mu + row, c->k.mu + row) == 0.0) continue;
         coincidence_function(c, j, c->k.phi0 + row, c->k.phi + row);
         add_link_force(c, m->coincidence_form[j], c->h, c->k.mu + row, c->k.momentum);

@@ -51,9 +51,7 @@ static inline int is_velocity_row(const context *c, int32_t j)
 
 /* Place of a composite's row among all rows. */
 static inline int32_t row_of(const context *c, int32_t j)
-{
-    return c->m->n_form_rows + DIM * c->m->n_coincidences + (j - first_function(c));
-}
+{ return first_function_row(c->m) + (j - first_function(c)); }
 
 /* Whether composite j follows a signal. */
 static int has_signal(const context *c, int32_t j)

@@ -152,7 +152,7 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
     }
     for
         IN_ISLAND(c, j, ISLAND_COINCIDENCE)
-        link_of(c, m->coincidence_form[j], v, rate + m->n_form_rows + DIM * j, vw);
+        link_of(c, m->coincidence_form[j], v, rate + row_of_coincidence(m, j), vw);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         EACH_ROW_OF_KIND(c, j, k)
             rate[row_of(c, j)] = state_of_row(c, j) == ROW_IS_ON
@@ -166,7 +166,7 @@ HM_SELDOM static void rigidity_rates(const context *c, double *rate)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM], vu[DIM], vw[DIM];
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) {
+    for (int32_t i = first_rigidity_row(m); i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
         link_of(c, m->row_form[i], c->s.v, vu, vw);
         rate[i] = dot(u, vw) + dot(w, vu);

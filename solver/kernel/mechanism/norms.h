@@ -54,14 +54,18 @@ HM_SELDOM static double norm2_of_islands(const context *c, const double *x)
 static double error_norm(const context *c, const double *x)
 { return c->m->n_islands > 1 ? sqrt(norm2_of_islands(c, x)) : mass_norm(c, x); }
 
+/* The larger of phi[i] over the scale of its row and `largest`; a NaN stays. */
+static inline double larger_row(const context *c, const double *phi, int32_t i, double largest)
+{
+    const double scaled = fabs(phi[i]) / c->number[c->m->row_scale_at + i];
+    return !(scaled <= largest) && largest == largest ? scaled : largest;
+}
+
 /* Largest of phi (n_rows) over the scale of its row, of the rows at hand. */
 static double largest_row(const context *c, const double *phi)
 {
     double largest = 0.0;
-    EACH_ROW(c, i) {
-        const double scaled = fabs(phi[i]) / c->number[c->m->row_scale_at + i];
-        if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
-    }
+    EACH_ROW(c, i) largest = larger_row(c, phi, i, largest);
     return largest;
 }
 
@@ -70,8 +74,8 @@ HM_SELDOM static double largest_of_all(const context *c, const double *phi)
 {
     const holonom_model *m = c->m;
     double largest = largest_row(c, phi);
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++)
-        largest = fmax(largest, fabs(phi[i]) / c->number[m->row_scale_at + i]);
+    for (int32_t i = first_rigidity_row(m); i < m->n_form_rows; i++)
+        largest = larger_row(c, phi, i, largest);
     return largest;
 }
 

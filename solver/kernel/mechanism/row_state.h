@@ -57,7 +57,7 @@ static inline enum row_state state_of_row(const context *c, int32_t j)
 /* The composite of multiplier i, or -1 if it is no function. */
 static inline int32_t composite_of(const context *c, int32_t i)
 {
-    const int32_t j = i - (c->m->n_form_rows + DIM * c->m->n_coincidences);
+    const int32_t j = i - first_function_row(c->m);
     return j < 0 ? -1 : j + first_function(c);
 }
 

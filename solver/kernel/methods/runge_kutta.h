@@ -103,7 +103,7 @@ static void second_rates(const context *at)
     }
     for
         IN_ISLAND(at, j, ISLAND_COINCIDENCE)
-        link_of(at, m->coincidence_form[j], at->k.w, at->k.phi + m->n_form_rows + DIM * j, aw);
+        link_of(at, m->coincidence_form[j], at->k.w, at->k.phi + row_of_coincidence(m, j), aw);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         for IN_ISLAND(at, j, k) {
             double *rate = at->k.phi + row_of(at, j);

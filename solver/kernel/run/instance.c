@@ -638,7 +638,7 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
 static int32_t refuse_deformed(holonom_instance *i, const void *block)
 {
     const holonom_model *m = &i->file.model;
-    const int32_t n_rigid = m->n_form_rows + DIM * m->n_coincidences;
+    const int32_t n_rigid = first_function_row(m);
     double *scale = i->numbers + m->row_scale_at, most = FARTHEST_OFF;
     int32_t worst = -1;
     put_all_aside(i);

@@ -141,7 +141,7 @@ static void measure_reactions(const context *c, const hm_measured *y)
         double *force = y->reaction_force + DIM * entry[0],
                *torque = y->reaction_torque + TURNING * entry[0];
         if (entry[1] == REACTION_COINCIDENCE) {
-            EACH(k) force[k] += entry[3] * mu[m->n_form_rows + DIM * entry[2] + k];
+            EACH(k) force[k] += entry[3] * mu[row_of_coincidence(m, entry[2]) + k];
             continue;
         }
         link_at_state(c, m->row_form[entry[2]], u, w);

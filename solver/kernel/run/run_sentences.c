@@ -142,7 +142,7 @@ int hm_say_node(hm_text *text, const hm_model_file *f, int32_t node)
 {
     const holonom_model *m = &f->model;
     const part_name name = name_of_part(f, m->node_kind[node] ? -1 : DIM * node);
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++)
+    for (int32_t i = first_rigidity_row(m); i < m->n_form_rows; i++)
         if (is_row_of(f, i, name.text, node)) {
             hm_say(text, "%s", f->text + f->row[i].name);
             return 1;
@@ -166,7 +166,7 @@ static void say_signal(hm_text *text, const hm_model_file *f, const double *numb
 {
     static const char *const OF[] = {"the value of ", "the rate of ", "the second derivative of "};
     const holonom_model *m = &f->model;
-    const int32_t b = what / 3, first = m->n_form_rows + DIM * m->n_coincidences;
+    const int32_t b = what / 3, first = first_function_row(m);
     hm_say(text, "%s", OF[what % 3]);
     if (b < DIM * m->n_driven) {
         const hm_measured y = hm_measured_in(f, numbers);
@@ -291,7 +291,7 @@ int hm_say_strong_friction(hm_text *text, const hm_model_file *f, const double *
         if (coefficient[k] >= STRONG_FRICTION && (worst < 0 || coefficient[k] > coefficient[worst]))
             worst = k;
     if (worst < 0) return 0;
-    const int32_t row = m->n_form_rows + DIM * m->n_coincidences - m->n_elements
+    const int32_t row = first_function_row(m) - m->n_elements
                         + m->friction_row[m->friction_row_ptr[worst]];
     hm_say(text,
            "%s: a friction of %6g is so strong that the forces of a step keep no digits; "

@@ -84,8 +84,8 @@ static double gap_of_row(const context *at, int32_t i, double phi, double *scale
 static int is_driver(const context *c, int32_t i)
 {
     const holonom_model *m = c->m;
-    const int32_t coincident = i - m->n_form_rows, function = coincident - DIM * m->n_coincidences;
-    if (function >= 0) return has_signal(c, first_function(c) + function);
+    const int32_t function = composite_of(c, i), coincident = i - m->n_form_rows;
+    if (function >= 0) return has_signal(c, function);
     const int32_t f = coincident >= 0 ? m->coincidence_form[coincident / DIM] : m->row_form[i];
     return m->form_moving[f] > m->form_free[f];
 }
@@ -286,15 +286,11 @@ static void begin_closing(const context *c, closing *x)
     x->none = CLOSED + ROUND_OFF_OF_ANGLE * fmax(turned, x->farthest);
 }
 
-/* Function whose row is i; negative of another row. */
-static int32_t function_of_row(const context *c, int32_t i)
-{ return i - c->m->n_form_rows - DIM * c->m->n_coincidences; }
-
 /* Adds turns to the angles that row i reads; returns how many these are. */
 static int add_turns(context *c, int32_t i, double count)
 {
     const holonom_model *m = c->m;
-    const int32_t j = first_function(c) + function_of_row(c, i);
+    const int32_t j = composite_of(c, i);
     int angles = 0;
     for (int32_t l = m->leaf_ptr[j]; l < m->leaf_ptr[j + 1]; l++) {
         const int32_t *leaf = m->leaf + 4 * l;
@@ -307,7 +303,7 @@ static int add_turns(context *c, int32_t i, double count)
 
 /* Whether row i follows signals and reads an angle, whose full turns count. */
 static int is_driven_angle(context *c, int32_t i)
-{ return function_of_row(c, i) >= 0 && is_driver(c, i) && add_turns(c, i, 0.0); }
+{ return composite_of(c, i) >= 0 && is_driver(c, i) && add_turns(c, i, 0.0); }
 
 /* Takes the pose `begun` with those turns of angles that are counted at present, if it has the gaps
    aimed at then; whether it has. */

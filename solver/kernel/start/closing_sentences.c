@@ -51,8 +51,8 @@ static double turn_of(const hm_model_file *f, const double *numbers, const hm_st
                       const char *name, int length)
 {
     const holonom_model *m = &f->model;
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows;
-         i++) /* the first of a body has its first director */
+    for (int32_t i = first_rigidity_row(m); i < m->n_form_rows; i++)
+        /* the first of a body has its first director */
         if (hm_is_of_body(f, i, name, (size_t)length))
             return turned_angle(s->q, numbers + m->initial_position_at,
                                 m->form_node[m->form_ptr[m->row_form[i]]]);

@@ -87,7 +87,7 @@ static int32_t derive_scales(context *c)
         scale[i] = c->number[m->row_base_at + i];
         for (int32_t k = 0; k < m->row_power[i]; k++) scale[i] *= extent;
     }
-    const int32_t with_force = m->n_form_rows - m->n_rigidity_rows;
+    const int32_t with_force = first_rigidity_row(m);
     for (int32_t row = 0; row < with_force + m->n_coincidences; row++) {
         const int32_t j = row - with_force, i = j < 0 ? row : m->n_form_rows + j;
         const int32_t f = j < 0 ? m->row_form[i] : m->coincidence_form[j];
@@ -97,7 +97,7 @@ static int32_t derive_scales(context *c)
             if (m->form_kind[f] & FORM_TURNED) square += hm_square(c->number[m->alpha_turn_at + e]);
             entry_gradient(c, f, e, c->k.u0 + DIM * f, c->k.w0 + DIM * f, g);
             if (j < 0) sigma[i] += dot(g, g) * inverse;
-            else EACH(k) sigma[m->n_form_rows + DIM * j + k] += square * inverse;
+            else EACH(k) sigma[row_of_coincidence(m, j) + k] += square * inverse;
         }
     }
     const int32_t status = add_function_sigmas(c, sigma);
