@@ -323,6 +323,13 @@ HM_CALLED static void keep_state(const context *c, double *backup)
 HM_CALLED static void take_state(context *c, const double *backup)
 { memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size); }
 
+/* Length of usual steps: what a tolerance wants may be far from the option step_size. */
+static inline double usual_length(const context *c)
+{
+    const double *head = c->s.head;
+    return c->tolerance > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
+}
+
 static inline int is_seeking(const context *c) { return c->step.theta != 0.5; }
 
 /* The sections extent, row_scale and row_sigma lie side by side. */

@@ -77,13 +77,6 @@ static inline double allowed_energy(const context *c, const newton_record *r)
     return ENERGY_MARGIN * (c->s.head[S_NEWTON_TOLERANCE] * r->energy + r->noise);
 }
 
-/* Length of usual steps: what a tolerance wants may be far from the option step_size. */
-static inline double usual_length(const context *c)
-{
-    const double *head = c->s.head;
-    return c->tolerance > 0.0 ? fmin(hm_step_size(head), head[S_WANTED]) : hm_step_size(head);
-}
-
 /* Energy that may be left where round-off ends an iteration. Pieces between events are as many as
    they are short: each may leave its part of what a usual step may. */
 static inline double most_left(const context *c, const newton_record *r)

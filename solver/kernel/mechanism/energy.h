@@ -136,6 +136,16 @@ static double function_rate(const context *c, int32_t j, const double *x, const 
     return next_rate(c, -1, j, x, x_low, v, signal, signal_rate);
 }
 
+/* Rate of form row i, likewise. */
+static double form_row_rate(const context *c, int32_t i, const double *x, const double *x_low,
+                            const double *v)
+{
+    double u[DIM], w[DIM], vu[DIM], vw[DIM];
+    link_at(c, c->m->row_form[i], x, x_low, u, w);
+    link_of(c, c->m->row_form[i], v, vu, vw);
+    return dot(u, vw) + dot(w, vu);
+}
+
 /* Rates of the rows at hand that hold (n_rows, overwritten) at the configuration (x, x_low) with
    velocities v; signals have the values `signal` and the rates `signal_rate`. Linear in both rates,
    but for a velocity row's own terms. */
@@ -144,12 +154,8 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
                                 double *rate)
 {
     const holonom_model *m = c->m;
-    double u[DIM], w[DIM], vu[DIM], vw[DIM];
-    EACH_FORM_ROW(c, i) {
-        link_at(c, m->row_form[i], x, x_low, u, w);
-        link_of(c, m->row_form[i], v, vu, vw);
-        rate[i] = dot(u, vw) + dot(w, vu);
-    }
+    double vw[DIM];
+    EACH_FORM_ROW(c, i) rate[i] = form_row_rate(c, i, x, x_low, v);
     for
         IN_ISLAND(c, j, ISLAND_COINCIDENCE)
         link_of(c, m->coincidence_form[j], v, rate + row_of_coincidence(m, j), vw);
@@ -164,13 +170,8 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
    velocities of directors need not be those of a turn. */
 HM_SELDOM static void rigidity_rates(const context *c, double *rate)
 {
-    const holonom_model *m = c->m;
-    double u[DIM], w[DIM], vu[DIM], vw[DIM];
-    for (int32_t i = first_rigidity_row(m); i < m->n_form_rows; i++) {
-        link_at_state(c, m->row_form[i], u, w);
-        link_of(c, m->row_form[i], c->s.v, vu, vw);
-        rate[i] = dot(u, vw) + dot(w, vu);
-    }
+    for (int32_t i = first_rigidity_row(c->m); i < c->m->n_form_rows; i++)
+        rate[i] = form_row_rate(c, i, c->s.q, c->s.q_low, c->s.v);
 }
 
 /* Part of its scale above which a row may show round-off of places alone, far from where it was
