@@ -104,6 +104,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
         },
         "meshes": model.meshes,
         "switches": list(dict.fromkeys(model.switches)),
+        "rubbing": _rubbing(model),
         **asdict(counts),
         "drivers": driver_names(model),
         "prescribed_motions": counts.drivers,
@@ -117,6 +118,24 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
             for v in model.variables
         ],
     }
+
+
+def _rubbing(model: Model) -> list[str]:
+    """Sentences on forces of which the sign of a rate became friction (``mechanics/rubbing``)."""
+    tables = (model.rows, model.tables["row_power"], model.tables["row_owner"])
+    last = zip(*(table[::-1] for table in tables), strict=False)  # rows that may be off are last
+    rows = [found for found in last if found[0].location.startswith("forces.")][::-1]
+    if not rows:
+        return []
+    integrator = Integrator(model, log=lambda _: None)
+    integrator.initialise()
+    preload = model.offsets["preload"] - model.sizes["n_contacts"]
+    sentences = []
+    for row, power, owner in rows:
+        rate, unit = row.detail.removeprefix(" along "), "N" if power else "N.m"
+        holds = f"holds up to {integrator.numbers[preload + owner]:.6g} {unit} where {rate} is 0"
+        sentences.append(f"{row.name}: the sign of {rate} is friction, which {holds}")
+    return sentences
 
 
 def _step(model: Model, redundant: bool) -> dict[str, Any]:
@@ -174,6 +193,7 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("points", f"{moving}, {counts.supports} fixed{note}"),
         *((kind, _names(names)) for kind, names in forces.items()),
         *(("switch", name) for name in document["switches"]),
+        *(("friction", sentence) for sentence in document["rubbing"]),
         ("coordinates", f"{counts.coordinates} ({document['dimension']} per point or axis)"),
         ("constraint rows", f"{counts.rows}  of bodies, joints, drivers and formulas"),
         ("redundant rows", _redundancy(counts)),

@@ -54,6 +54,7 @@ def without_friction(
             continue  # it pushes, or changes in motion: it is left to switch
         if isinstance(size, Expr):
             rows.rule(size, ">=", "the factor of the sign of its rate must not push")
+        rows.detail = f" along {name}"
         row = rows.velocity(
             Formula(leaf_symbol(0), (mechanism.leaf(rate.index, rate.kind),)), scale
         )

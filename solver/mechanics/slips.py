@@ -18,7 +18,10 @@ from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import Expr, Number, PointReference
+from solver.scene.expression import operate
 
+AGAINST = 1e-300
+"""Least 1 + n . a, so that tangents are finite where the normal n is -a."""
 IDENTITY = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
 
@@ -119,12 +122,15 @@ def plane_tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
 def tangents(mechanism: Mechanism, normal: Vector, start: Vector) -> tuple[Vector, ...]:
     """Return unit tangents; in 2-D the one to the right of the normal.
 
-    In space they turn with the normal from those of the unit vector `start`.
+    In space they turn with the normal from those of the unit vector `start`, and turn over where it
+    points against that.
     """
     if len(normal) == 2:
         return ((normal[1], -1.0 * normal[0]),)
     first, second = perpendicular(start, mechanism.default)
-    x, y, z = dot(normal, first), dot(normal, second), 1.0 + dot(normal, start)
+    x, y = dot(normal, first), dot(normal, second)
+    # The bound holds of all unit vectors; where the normal points against `start` it keeps z from 0.
+    z = operate("max", 1.0 + dot(normal, start), 0.5 * (x * x + y * y) + AGAINST)
     mixed = -1.0 * x * y / z
     components = (1.0 - x * x / z, mixed, -1.0 * x), (mixed, 1.0 - y * y / z, -1.0 * y)
     return tuple(

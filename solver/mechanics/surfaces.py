@@ -53,6 +53,8 @@ from solver.scene.profiles import table_of
 
 CENTRE = 1e-12
 """Of a superquadric S = 1: S below which its centre is rounded off."""
+FLAT = 1e-300
+"""Added to the square of a slope, which vanishes at a centre: there is no normal, and no slip."""
 Coordinates = Sequence[tuple[Combination, Combination]]
 """Forms link . axis of a place in axes of a body."""
 
@@ -227,7 +229,7 @@ def add_implicit(
     """
     mechanism = rows.mechanism
     leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
-    steepness = sqrt(dot(slopes, slopes))
+    steepness = sqrt(dot(slopes, slopes) + FLAT)
     normal = tuple(slope / steepness for slope in slopes)
     slips = _slips(rows, contact, point, leaves, normal, forms, contact.ball_radius, up)
     add_contact(rows, contact, Formula(gap, tuple(leaves)), end=end, slips=slips)
@@ -263,7 +265,9 @@ def slip_rates(
     axes = [axis for _, axis in places[0]]
     try:
         drawn = up or tuple(mechanism.default(as_drawn(mechanism, x, leaves)) for x in normal)
-    except ExpressionError:  # there is no normal where the point is drawn
+    except ExpressionError:
+        drawn = ()
+    if not any(drawn):  # there is no normal where the point is drawn
         drawn = (0.0, 0.0, 1.0)
 
     def velocity(tangent: Vector) -> Formula:

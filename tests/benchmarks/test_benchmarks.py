@@ -6,6 +6,7 @@ import itertools
 import json
 import math
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 
@@ -24,9 +25,11 @@ from benchmarks.problems.mechanisms import (
     waving_chain,
 )
 from benchmarks.sections import instructions, skips
+from benchmarks.sections.work_precision_ours import STEPPED_BY
 from solver import assemble
 from tests.support.kernel.kernels_without_skips import kernel_without
 
+ROOT = Path(__file__).resolve().parents[2]
 MACHINE = {"processor": "some", "cores": "1"}
 
 # --------------------------------------------------------------------------- observed from outside
@@ -137,6 +140,17 @@ def test_a_goal_is_met_or_missed(value, verdict):
 def test_a_page_says_when_it_is_no_measurement():
     assert "not meant as a measurement" in as_markdown(MACHINE, QUICK.name, [])
     assert "not meant as a measurement" not in as_markdown(MACHINE, "full", [])
+
+
+def test_what_ran_under_a_tolerance_is_told_by_which_method():
+    """In a row, or where its section says how it was measured."""
+    data = json.loads((ROOT / "docs" / "benchmarks.json").read_text(encoding="utf-8"))["sections"]
+    for name in ("work-precision", "tolerances"):
+        rows = [str(row) for table in data[name]["tables"] for row in table["rows"]]
+        ours = [row for row in rows if "tolerance" in row and "holonom" in row]
+        assert ours or name == "tolerances"
+        for row in ours or rows:
+            assert any(word in row + data[name]["method"] for word in STEPPED_BY)
 
 
 def test_a_merged_section_replaces_its_older_self_and_leaves_the_others():

@@ -285,3 +285,46 @@ def test_the_mechanism_comes_first_and_the_solver_last(capsys):
     solvers = [name.startswith("solver.") for name in names]
     assert solvers == sorted(solvers)
     assert any(solvers)
+
+
+# ------------------------------------------------------------------------------------ friction
+
+RUBBING = """
+name = "rubbing"
+dimension = 2
+[parameters]
+c = 1.5
+[points]
+A = { position = [0, 0], mass = 1, velocity = [1, 0] }
+[bodies]
+arm = { position = [3, 0], mass = 1, inertia = 1 }
+[joints]
+pin = { type = "revolute", bodies = ["ground", "arm"], position = [3, 0] }
+[forces]
+drag = { type = "force", point = "A", value = ["-(0.5*c if A.vx > 0 else -0.5*c)", "-A.vy"] }
+brake = { type = "joint_torque", joint = "pin", value = "0.2 - 2*sign(pin.angular_velocity)" }
+push = { type = "force", point = "A", value = [0, "0.25*sign(A.vy)"] }
+"""
+RUBS = [
+    "force 'drag': the sign of A.vx is friction, which holds up to 0.75 N where A.vx is 0",
+    "force 'brake': the sign of pin.angular_velocity is friction, which holds up to 2 N.m where "
+    "pin.angular_velocity is 0",
+]
+
+
+def test_forces_whose_sign_of_a_rate_became_friction_are_named(capsys, tmp_path):
+    """One that pushes along its rate is left to switch."""
+    scene, fmu = tmp_path / "rubbing.toml", tmp_path / "rubbing.fmu"
+    scene.write_text(RUBBING)
+    assert run(capsys, "build", scene, "-o", fmu)[0] == 0
+    for target in (scene, fmu):
+        document = json.loads(run(capsys, "info", target, "--json")[1])
+        assert document["rubbing"] == RUBS
+        assert document["switches"] == ["force 'push': sign(A.vy)"]
+    out = " ".join(run(capsys, "info", scene)[1].split())
+    assert all(f" friction {told}" in out for told in RUBS)
+
+
+def test_friction_of_joints_is_no_sign_of_a_force(capsys):
+    document = json.loads(run(capsys, "info", SCENES / "belt_and_block.toml", "--json")[1])
+    assert document["rubbing"] == []

@@ -377,3 +377,19 @@ def test_losses_in_a_bowl_depend_neither_on_the_step_nor_on_how_it_is_written(
     assert lost == pytest.approx([lost[0]] * 6, rel=1e-10, abs=1e-12)
     assert len(seen) == 1
     assert abs(lost[0]) < 1e-12 or restitution < 1.0
+
+
+def test_a_point_that_falls_past_the_centre_of_a_superquadric_slips_along_its_faces():
+    """Its normal turns over there: by hand g t along an end, then the 1 m/s across along a floor."""
+    box = {"type": "superquadric", "point": "p", "power": 40, "semi_axes": [1, 0.2, 0.1]}
+    content: Content = {
+        "name": "past_the_centre", "dimension": 3, "gravity": [0, 0, -9.81],
+        "points": {"p": {"position": [0, 0, 0.001], "velocity": [-1, 0, 0], "mass": 1}},
+        "contacts": {"c": box | {"side": "inside", "friction": 1e-9, "restitution": 0.5}},
+    }  # fmt: skip
+    ran = start(content, h=0.01)
+    slips = []
+    for k in range(4):
+        ran.advance(0.02 * k, 0.02)
+        slips.append(float(ran["c.slip"]))
+    assert slips == pytest.approx([9.81 * 0.02, 1.0, 1.0, 1.0], rel=1e-9)

@@ -317,3 +317,16 @@ def test_slips_and_frictions_count_to_the_right_of_the_normal(speed):
     slip, friction, force = found["below"]  # right of the normal is clockwise about the lower one
     assert (s * slip > 0.9, friction) == (True, pytest.approx(-s * 0.2 * force, rel=1e-12))
     assert found["balls"] == pytest.approx([-slip, -friction, force], rel=1e-6)  # of a step
+
+
+def test_a_ball_drawn_at_the_centre_of_an_ellipsoid_is_in_penetration():
+    """There is no normal there, nor a direction of slip that begins with it."""
+    pair = {"type": "ellipsoid", "body": "b", "point": "p", "semi_axes": [0.2, 0.1, 0.3]}
+    content: Content = {
+        "name": "within", "dimension": 3, "gravity": [0, 0, -GRAVITY],
+        "bodies": {"b": {"position": [0, 0, 0], "mass": 1, "inertia": [0.1, 0.1, 0.1]}},
+        "points": {"p": {"position": [0, 0, 0], "mass": 1}},
+        "contacts": {"c": pair | {"radius": 0.01, "friction": 0.3}},
+    }  # fmt: skip
+    with pytest.raises(solver.SceneError, match="drawn in penetration"):
+        run(content, 0.1, h=0.01)

@@ -35,7 +35,8 @@
 #define SLAVED 0.3
 #define SLAVED_COVER 0.5
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of
-   the step before: a force has jumped within the step, and no difference before it tells. */
+   the step before: a force has jumped within the step, and no difference before it tells. Likewise
+   of an explicit step that begins where a law has switched. */
 #define AT_A_JUMP 1.0
 #define SUDDEN 1.5
 /* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it
@@ -323,6 +324,8 @@ static int estimate_error(context *c, double h, step_error *e)
         e->settled = SLAVED * h * h * error_norm(c, c->k.estimate) / fmax(speed_scale(c), 1e-300);
     if (is_slaved && order == 4) e->settled = SLAVED_COVER * difference;
     e->mean *= c->last.growth;
+    if (c->last.method == EXPLICIT && n_motion_switches(c) && c->switches.last > c->t - 1.5 * h)
+        e->mean = fmax(e->mean, AT_A_JUMP * difference);
     if (c->last.method == EXPLICIT)
         e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;
