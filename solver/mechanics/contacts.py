@@ -60,6 +60,8 @@ from solver.scene.expression import operate, sqrt
 
 Touching = ContactPart | Gear
 """What has gaps: a contact, or a gear with backlash."""
+LEAST_DISTANCE = 1e-12
+"""Of two points that a stop lets apart [m]."""
 SKEW = unit((0.61, 0.53, 0.71))
 """Normal of balls in space where their tangents begin: no axis of a drawing points against it."""
 
@@ -263,6 +265,12 @@ def add_stop(rows: Rows, stop: Stop, _: JointParts) -> None:
         rows.rule(stop.max - stop.min, ">", "max - min must be > 0")
     if stop.min is not None:
         add_contact(rows, stop, Formula(leaf_symbol(0) - stop.min, (leaf,)), size, " at min", slips)
+    if stop.max is not None and stop.points is not None:
+        text = (
+            f"max, a distance, must be > {LEAST_DISTANCE:g} m, got {{value!r}} m: the direction of "
+            "a shorter one is round-off; a revolute or spherical joint lets points coincide"
+        )
+        rows.rule(stop.max, ">", text, LEAST_DISTANCE)
     if stop.max is not None:
         add_contact(rows, stop, Formula(stop.max - leaf_symbol(0), (leaf,)), size, " at max", slips)
 

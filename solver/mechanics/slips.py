@@ -129,7 +129,7 @@ def tangents(mechanism: Mechanism, normal: Vector, start: Vector) -> tuple[Vecto
         return ((normal[1], -1.0 * normal[0]),)
     first, second = perpendicular(start, mechanism.default)
     x, y = dot(normal, first), dot(normal, second)
-    # The bound holds of all unit vectors; where the normal points against `start` it keeps z from 0.
+    # The bound holds of all unit vectors; where the normal is -start it keeps z from 0.
     z = operate("max", 1.0 + dot(normal, start), 0.5 * (x * x + y * y) + AGAINST)
     mixed = -1.0 * x * y / z
     components = (1.0 - x * x / z, mixed, -1.0 * x), (mixed, 1.0 - y * y / z, -1.0 * y)

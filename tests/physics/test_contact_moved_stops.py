@@ -7,6 +7,7 @@ import math
 import pytest
 
 from solver.runtime import Integrator, OptionError
+from solver.scene import SceneError
 from tests.support.contact.contact_events import begin, number
 from tests.support.mechanisms.problems import GRAVITY, Content, mechanism
 
@@ -82,6 +83,17 @@ def test_ends_of_a_stop_do_not_cross():
     advance(integrator, 0.1)
     with pytest.raises(OptionError, match="max - min must be > 0, got -1"):
         integrator["low"] = 2.0
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-300])
+def test_a_rope_without_length_is_refused(length):
+    rope = mechanism(
+        "rope", 2,
+        points={"p": {"position": [0, 0], "mass": 1}, "q": {"position": [0, 0], "mass": 1}},
+        contacts={"rope": {"type": "stop", "points": ["p", "q"], "max": length}},
+    )  # fmt: skip
+    with pytest.raises(SceneError, match=r"rope: max, a distance, must be > 1e-12 m, got"):
+        begin(rope, 0.01)
 
 
 def test_a_rope_is_shortened_as_far_as_it_is_slack():

@@ -380,7 +380,7 @@ def test_losses_in_a_bowl_depend_neither_on_the_step_nor_on_how_it_is_written(
 
 
 def test_a_point_that_falls_past_the_centre_of_a_superquadric_slips_along_its_faces():
-    """Its normal turns over there: by hand g t along an end, then the 1 m/s across along a floor."""
+    """Its normal turns over there: by hand g t along an end, then 1 m/s along a floor."""
     box = {"type": "superquadric", "point": "p", "power": 40, "semi_axes": [1, 0.2, 0.1]}
     content: Content = {
         "name": "past_the_centre", "dimension": 3, "gravity": [0, 0, -9.81],
