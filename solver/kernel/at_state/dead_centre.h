@@ -15,7 +15,7 @@
 static double rows_bend(const context *c, const double *bias, double *x)
 {
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)c->m->n_signals);
-    row_rates(c, c->s.q, c->s.q_low, x, c->s.signal, c->k.signal_rate, c->k.phi);
+    row_rates(c, x, c->k.signal_rate, c->k.phi);
     for (int32_t i = 0; i < c->m->n_rows; i++)
         c->k.phi[i] = state_of_multiplier(c, i) == ROW_IS_ON ? c->k.phi[i] + bias[i] : 0.0;
     return largest_row(c, c->k.phi);

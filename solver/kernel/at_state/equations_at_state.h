@@ -234,7 +234,7 @@ HM_SELDOM static double bias_of_row(const context *c, int32_t j)
     double *rest = c->k.ahead;
     if (!is_velocity_row(c, j)) return bias_of(c, j);
     memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    const double own = function_rate(c, j, c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate);
+    const double own = function_rate(c, j, rest, c->k.signal_rate);
     return bias_of(c, j) - own + (is_unilateral(c->m) ? c->k.drift[row_of(c, j)] : 0.0);
 }
 

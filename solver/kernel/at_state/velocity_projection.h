@@ -14,8 +14,7 @@ static int is_driven(const context *c)
     memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t f = 0; f < c->m->n_frictions; f++)
         for (int k = 0; k < n_slips(c, f); k++)
-            moved += fabs(function_rate(c, slip_row(c, f, k), c->s.q, c->s.q_low, rest, c->s.signal,
-                                        c->k.signal_rate));
+            moved += fabs(function_rate(c, slip_row(c, f, k), rest, c->k.signal_rate));
     return moved > 0.0;
 }
 
@@ -33,7 +32,7 @@ HM_SELDOM static void rates_of_turns(const context *c, double *x)
     double *turning = c->k.ahead;
     beside_turns(c, x);
     for (int32_t k = 0; k < DIM * c->n_moving; k++) turning[k] = c->s.v[k] + x[k];
-    row_rates(c, c->s.q, c->s.q_low, turning, c->s.signal, c->k.signal_rate, c->k.phi);
+    row_rates(c, turning, c->k.signal_rate, c->k.phi);
 }
 
 /* Adds to that loss the velocities that change the rates of the rows by -phi; impulses in mu. */

@@ -47,7 +47,7 @@ static double gap_of(const context *c, int32_t i)
 /* Rate of a function row, value of a velocity row at the state. */
 static double rate_of_row(const context *c, int32_t j)
 {
-    return function_rate(c, j, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate);
+    return function_rate(c, j, c->s.v, c->k.signal_rate);
 }
 
 static double gap_rate(const context *c, int32_t i) { return rate_of_row(c, c->m->contact_row[i]); }
@@ -58,7 +58,7 @@ HM_SELDOM static double second_rate_of_row(const context *c, int32_t j)
     double *none = c->k.signal_before; /* second derivatives of signals are in the bias */
     memset(none, 0, sizeof(double) * (size_t)c->m->n_signals);
     const double bias = bias_of_row(c, j);
-    return function_rate(c, j, c->s.q, c->s.q_low, c->k.w, c->s.signal, none) + bias;
+    return function_rate(c, j, c->k.w, none) + bias;
 }
 
 /* Rates of the slips of friction f in the motion v, at the state. */
@@ -66,8 +66,8 @@ static void slips_in_motion(const context *c, int32_t f, const double *v, const 
                             double *rate)
 {
     for (int k = 0; k < n_slips(c, f); k++)
-        rate[k] = next_rate(c, k > 0 ? slip_row(c, f, k - 1) : -1, slip_row(c, f, k), c->s.q,
-                            c->s.q_low, v, c->s.signal, signal_rate);
+        rate[k] = next_rate(c, k > 0 ? slip_row(c, f, k - 1) : -1, slip_row(c, f, k), v,
+                            signal_rate);
 }
 
 /* Likewise with the velocities. */

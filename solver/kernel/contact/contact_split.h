@@ -166,7 +166,7 @@ HM_SELDOM static void hold_rows(const context *c, double *x)
     double *mu = c->k.row_rate, *more = c->k.ahead;
     int is_held = 1;
     memset(c->k.signal_before, 0, sizeof(double) * (size_t)c->m->n_signals);
-    row_rates(c, c->s.q, c->s.q_low, x, c->s.signal, c->k.signal_before, c->k.phi);
+    row_rates(c, x, c->k.signal_before, c->k.phi);
     EACH_ROW(c, i) is_held &= fabs(c->k.phi[i]) <= least * sqrt(sigma[i]);
     if (is_held) return;
     memcpy(mu, c->k.mu, sizeof(double) * (size_t)rows);

@@ -97,7 +97,7 @@ HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
 HM_SELDOM static double loss_rate(const context *c, const hit *x)
 {
     double sum = 0.0;
-    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
+    row_rates(c, c->s.v, c->k.signal_rate, c->k.row_rate);
     EACH_ROW(c, i)
         sum += c->k.mu[i] * c->k.row_rate[i]; /* rates of rows at hand alone are written */
     for (int32_t r = 0; r < x->law.rows; r++)

@@ -334,7 +334,7 @@ static double work_of_impulses(const context *c)
 {
     double *rest = c->k.ahead, *rate = c->k.row_rate, work = 0.0;
     clear_nodes(c, rest);
-    row_rates(c, c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate, rate);
+    row_rates(c, rest, c->k.signal_rate, rate);
     EACH_ROW(c, i) work += c->k.mu[i] * rate[i];
     return work;
 }

@@ -347,8 +347,7 @@ HM_SELDOM static double velocity_defect(context *c, double h)
         fmax(speed_scale(c) / c->number[m->extent_at + 1], fastest_rate(c, c->s.v));
     if (!(fastest > 0.0)) return 0.0;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
-    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
-    rigidity_rates(c, c->k.row_rate);
+    all_row_rates(c, c->k.row_rate);
     for (int32_t j = first_function(c); j < first_potential(c) && m->n_signals; j++)
         if (has_signal(c, j)) c->k.row_rate[row_of(c, j)] = 0.0;
     const double rounding = NEGLIGIBLE_ACROSS_ROWS + 1e-13 / (h * fastest);

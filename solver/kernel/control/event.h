@@ -51,8 +51,7 @@ static double speed_beyond(const context *c, int32_t i, double h, double force)
             means = fmax(means, fabs(c->k.kept_forces[(int64_t)c->m->n_rows * k + row] + force));
         return TOLD_BY_FORCES * per_force * fabs(c->h) * fmax(halves, means);
     }
-    return fabs(gap_rate(c, i)
-                - function_rate(c, j, c->s.q, c->s.q_low, v0, c->s.signal, c->k.signal_rate));
+    return fabs(gap_rate(c, i) - function_rate(c, j, v0, c->k.signal_rate));
 }
 
 /* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the

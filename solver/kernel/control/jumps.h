@@ -51,7 +51,7 @@ HM_SELDOM static int32_t jump_with_signals(context *c, double t)
     const double kinetic = kinetic_energy(c, c->k.momentum);
     stand_still(c);
     memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
-    row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
+    row_rates(c, c->k.w, jump, c->k.phi);
     inertia(c, 1.0, c->k.w, c->k.momentum);
     const int32_t status = solve_at_state(c);
     if (status) return status;

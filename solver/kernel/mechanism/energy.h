@@ -99,8 +99,7 @@ static void follow_energies(context *c)
 
 /* Rate of function row j, or value of velocity row j, as below; `before`: the row whose rate was
    computed last, with the same arguments; -1: any. */
-static double next_rate(const context *c, int32_t before, int32_t j, const double *x,
-                        const double *x_low, const double *v, const double *signal,
+static double next_rate(const context *c, int32_t before, int32_t j, const double *v,
                         const double *signal_rate)
 {
     const holonom_model *m = c->m;
@@ -111,13 +110,13 @@ static double next_rate(const context *c, int32_t before, int32_t j, const doubl
         return value_of_leaves(c, j, c->m->function_known[j - first_function(c)]);
     for (int32_t l = 0; l < n; l++, entry += 4) {
         if (entry[0] == LEAF_SIGNAL) {
-            r->r0[l] = signal[entry[1]];
+            r->r0[l] = c->s.signal[entry[1]];
             change[l] = signal_rate[entry[1]];
         } else if (entry[0] == LEAF_RATE && l > 0 && entry[-4] == LEAF_VALUE
                    && entry[-3] == entry[1])
             r->r0[l] = change[l] = change[l - 1]; /* as slips have the places and rates of axes */
         else {
-            r->r0[l] = quantity_at(c, entry[1], x, x_low, v, change + l);
+            r->r0[l] = quantity_at(c, entry[1], c->s.q, c->s.q_low, v, change + l);
             if (entry[0] == LEAF_RATE) r->r0[l] = change[l];
         }
         r->r1[l] = r->r0[l];
@@ -130,48 +129,44 @@ static double next_rate(const context *c, int32_t before, int32_t j, const doubl
     return rate;
 }
 
-static double function_rate(const context *c, int32_t j, const double *x, const double *x_low,
-                            const double *v, const double *signal, const double *signal_rate)
-{
-    return next_rate(c, -1, j, x, x_low, v, signal, signal_rate);
-}
+static double function_rate(const context *c, int32_t j, const double *v, const double *signal_rate)
+{ return next_rate(c, -1, j, v, signal_rate); }
 
 /* Rate of form row i, likewise. */
-static double form_row_rate(const context *c, int32_t i, const double *x, const double *x_low,
-                            const double *v)
+static double form_row_rate(const context *c, int32_t i, const double *v)
 {
     double u[DIM], w[DIM], vu[DIM], vw[DIM];
-    link_at(c, c->m->row_form[i], x, x_low, u, w);
+    link_at(c, c->m->row_form[i], c->s.q, c->s.q_low, u, w);
     link_of(c, c->m->row_form[i], v, vu, vw);
     return dot(u, vw) + dot(w, vu);
 }
 
-/* Rates of the rows at hand that hold (n_rows, overwritten) at the configuration (x, x_low) with
-   velocities v; signals have the values `signal` and the rates `signal_rate`. Linear in both rates,
-   but for a velocity row's own terms. */
-HM_SELDOM static void row_rates(const context *c, const double *x, const double *x_low,
-                                const double *v, const double *signal, const double *signal_rate,
+/* Rates of the rows at hand that hold (n_rows, overwritten) at the places and signals of the state,
+   with velocities v and rates `signal_rate` of the signals. Linear in both, but for a velocity
+   row's own terms. */
+HM_SELDOM static void row_rates(const context *c, const double *v, const double *signal_rate,
                                 double *rate)
 {
     const holonom_model *m = c->m;
     double vw[DIM];
-    EACH_FORM_ROW(c, i) rate[i] = form_row_rate(c, i, x, x_low, v);
+    EACH_FORM_ROW(c, i) rate[i] = form_row_rate(c, i, v);
     for
         IN_ISLAND(c, j, ISLAND_COINCIDENCE)
         link_of(c, m->coincidence_form[j], v, rate + row_of_coincidence(m, j), vw);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         EACH_ROW_OF_KIND(c, j, k)
             rate[row_of(c, j)] = state_of_row(c, j) == ROW_IS_ON
-                                     ? function_rate(c, j, x, x_low, v, signal, signal_rate)
+                                     ? function_rate(c, j, v, signal_rate)
                                      : 0.0;
 }
 
-/* Rates (in rate) of the rows that keep directors of bodies orthonormal. Turns keep them, but
-   velocities of directors need not be those of a turn. */
-HM_SELDOM static void rigidity_rates(const context *c, double *rate)
+/* Rates of all rows (n_rows), with those that keep directors of bodies orthonormal: turns keep them,
+   but velocities of directors need not be those of a turn. */
+HM_SELDOM static void all_row_rates(const context *c, double *rate)
 {
+    row_rates(c, c->s.v, c->k.signal_rate, rate);
     for (int32_t i = first_rigidity_row(c->m); i < c->m->n_form_rows; i++)
-        rate[i] = form_row_rate(c, i, c->s.q, c->s.q_low, c->s.v);
+        rate[i] = form_row_rate(c, i, c->s.v);
 }
 
 /* Part of its scale above which a row may show round-off of places alone, far from where it was

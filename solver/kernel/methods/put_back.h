@@ -103,7 +103,7 @@ HM_SELDOM static void follow_rows(context *at)
     turn_as_bodies(at);
     for (int i = 0; i < MAX_CORRECTIONS && (i < 2 || !(size / last * size < round_off)); i++) {
         last = size;
-        row_rates(at, at->s.q, at->s.q_low, at->s.v, at->s.signal, at->k.signal_rate, at->k.phi);
+        row_rates(at, at->s.v, at->k.signal_rate, at->k.phi);
         size = largest_row(at, at->k.phi);
         if (!(size < 0.5 * last)) return;
         clear_nodes(at, at->k.w);
@@ -117,7 +117,7 @@ HM_SELDOM static int find_asked_rates(context *at)
 {
     double *rest = at->k.w;
     clear_nodes(at, rest);
-    row_rates(at, at->s.q, at->s.q_low, rest, at->s.signal, at->k.signal_rate, at->k.row_rate);
+    row_rates(at, rest, at->k.signal_rate, at->k.row_rate);
     return largest_row(at, at->k.row_rate) > 0.0;
 }
 
@@ -125,7 +125,7 @@ HM_SELDOM static int find_asked_rates(context *at)
    row_rate. */
 HM_SELDOM static void leave_free(context *at, double *u)
 {
-    row_rates(at, at->s.q, at->s.q_low, u, at->s.signal, at->k.signal_rate, at->k.phi);
+    row_rates(at, u, at->k.signal_rate, at->k.phi);
     EACH_ROW(at, i) at->k.phi[i] -= at->k.row_rate[i];
     add_correction(at, u);
 }

@@ -107,10 +107,8 @@ static void second_rates(const context *at)
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         for IN_ISLAND(at, j, k) {
             double *rate = at->k.phi + row_of(at, j);
-            *rate = bias_of(at, j)
-                    + function_rate(at, j, at->s.q, at->s.q_low, at->k.w, at->s.signal, steady);
-            if (is_velocity_row(at, j))
-                *rate -= function_rate(at, j, at->s.q, at->s.q_low, rest, at->s.signal, steady);
+            *rate = bias_of(at, j) + function_rate(at, j, at->k.w, steady);
+            if (is_velocity_row(at, j)) *rate -= function_rate(at, j, rest, steady);
         }
 }
 

@@ -15,8 +15,7 @@ HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double 
     open_context(&c, m, number, state, work);
     signal_rates_at(&c, c.t, c.k.signal_rate);
     row_values(&c, phi);
-    row_rates(&c, c.s.q, c.s.q_low, c.s.v, c.s.signal, c.k.signal_rate, phi_dot);
-    rigidity_rates(&c, phi_dot);
+    all_row_rates(&c, phi_dot);
 }
 
 /* Motion: nodes, places, quantities, elements. */
@@ -203,8 +202,7 @@ static void measure_energies(context *c, const hm_measured *y)
     memcpy(y->energy, energy, sizeof energy);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     row_values(c, c->k.phi);
-    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
-    rigidity_rates(c, c->k.row_rate);
+    all_row_rates(c, c->k.row_rate);
     y->residual[0] = largest_of_all(c, c->k.phi);
     y->residual[1] = largest_of_all(c, c->k.row_rate);
 }

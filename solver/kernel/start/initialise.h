@@ -137,7 +137,7 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
         stand_still(c);
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
-        row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+        row_rates(c, c->s.v, c->k.signal_rate, c->k.phi);
         *defect = largest_row(c, c->k.phi);
         if (round == ROUNDS || (round > 3 && !(*defect < 0.5 * last)))
             break; /* light parts cost digits: again, as long as it helps */

@@ -123,7 +123,7 @@ HM_SELDOM static int32_t accelerations(context *c, double *mu)
     for (int refinement = 0; refinement < 4; refinement++) {
         memcpy(c->k.mu, mu, rows);
         if ((status = forces_at_state(c))) return status;
-        row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
+        row_rates(c, c->k.w, c->k.signal_rate, rate);
         EACH_ROW(c, i)
             c->k.phi[i] = state_of_multiplier(c, i) == ROW_IS_SLIDING ? c->k.lambda[i] - mu[i]
                                                                       : c->k.row_bias[i] + rate[i];
