@@ -160,8 +160,8 @@ HM_SELDOM static void row_rates(const context *c, const double *v, const double 
                                      : 0.0;
 }
 
-/* Rates of all rows (n_rows), with those that keep directors of bodies orthonormal: turns keep them,
-   but velocities of directors need not be those of a turn. */
+/* Rates of all rows (n_rows), with those that keep directors of bodies orthonormal: turns keep
+   them, but velocities of directors need not be those of a turn. */
 HM_SELDOM static void all_row_rates(const context *c, double *rate)
 {
     row_rates(c, c->s.v, c->k.signal_rate, rate);
