@@ -308,6 +308,24 @@ static int has_other_seen(const context *c, const piece *x)
     return 0;
 }
 
+/* Part of the way of an argument to its level that may be left where a step ends just before it. */
+#define JUST_BEFORE 1e-9
+
+/* Whether the arguments of switches beyond which a longer step fails (NAN in at_high) have come to
+   their levels at its end (at_low). Explicit steps fail earlier, where a stage overshoots. */
+static int has_come_to_level(const context *c, const double *at_low, const double *at_high)
+{
+    for (int32_t k = 0; k < n_switches(c); k++) {
+        const switch_place *x = switch_of(c, k);
+        const double begin = c->k.argument_begin[k];
+        if (at_high[k] == at_high[k] || is_on_level(c, k)) continue;
+        const double level = x->kind == SWITCH_LEVEL ? floor(at_low[k] + 0.5) : 0.0,
+                     left = fabs(at_low[k] - level);
+        if (left > fmax(JUST_BEFORE * fabs(begin - level), rounding_of(c, x))) return 0;
+    }
+    return 1;
+}
+
 /* Ends a piece, just taken, at the first crossing of a switch of the motion in it, if there is one:
    its length is 0 then if that is where it begins. */
 HM_SELDOM static int32_t find_switch(context *c, piece *x)
@@ -351,6 +369,7 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
         return x->status;
     }
     if (made != x->length || x->status) step_anew(c, x, x->length);
+    if (b.failed && !x->status && !has_come_to_level(c, at_low, at_high)) x->crossed = x->stops = 0;
     if (x->status || b.failed || !(x->length > least)) return x->status;
     const int is_seen = has_other_seen(c, x);
     const double turn = is_seen ? 0.5 * x->length : find_turns(c, x);
