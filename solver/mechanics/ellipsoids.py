@@ -26,7 +26,7 @@ from solver.mechanics.frames import RigidFrame
 from solver.mechanics.mechanism import Formula
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import Rows
-from solver.mechanics.slips import body_of, is_there, plane_tangents
+from solver.mechanics.slips import TINY, body_of, is_there, plane_tangents
 from solver.mechanics.surfaces import slip_rates
 from solver.mechanics.vectors import Vector, dot, identity, norm
 from solver.runtime.layout import LEAF_RATE
@@ -35,8 +35,6 @@ from solver.scene.expression import operate, sqrt
 
 STEPS = 5
 """Of Newton's iteration (``tests/mechanics/test_ellipsoid_rows.py`` has what they leave)."""
-TINY = 1e-300
-"""Added to what vanishes where the centres meet."""
 
 
 def add_ellipsoid(rows: Rows, contact: EllipsoidContact, _: JointParts) -> None:

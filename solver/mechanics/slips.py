@@ -20,8 +20,8 @@ from solver.runtime.layout import LEAF_RATE
 from solver.scene import Expr, Number, PointReference
 from solver.scene.expression import operate
 
-AGAINST = 1e-300
-"""Least 1 + n . a, so that tangents are finite where the normal n is -a."""
+TINY = 1e-300
+"""Added to what divides, and vanishes where there is no direction."""
 IDENTITY = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
 
@@ -130,7 +130,7 @@ def tangents(mechanism: Mechanism, normal: Vector, start: Vector) -> tuple[Vecto
     first, second = perpendicular(start, mechanism.default)
     x, y = dot(normal, first), dot(normal, second)
     # The bound holds of all unit vectors; where the normal is -start it keeps z from 0.
-    z = operate("max", 1.0 + dot(normal, start), 0.5 * (x * x + y * y) + AGAINST)
+    z = operate("max", 1.0 + dot(normal, start), 0.5 * (x * x + y * y) + TINY)
     mixed = -1.0 * x * y / z
     components = (1.0 - x * x / z, mixed, -1.0 * x), (mixed, 1.0 - y * y / z, -1.0 * y)
     return tuple(

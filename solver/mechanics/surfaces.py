@@ -32,7 +32,15 @@ from solver.mechanics.frames import Ground, RigidFrame
 from solver.mechanics.mechanism import Formula, Leaf
 from solver.mechanics.parts import AXES, JointParts
 from solver.mechanics.rows import Rows
-from solver.mechanics.slips import body_of, is_there, sliding, slips_along, tangents, turning
+from solver.mechanics.slips import (
+    TINY,
+    body_of,
+    is_there,
+    sliding,
+    slips_along,
+    tangents,
+    turning,
+)
 from solver.mechanics.vectors import Vector, dot, scale, turned
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
@@ -53,8 +61,6 @@ from solver.scene.profiles import table_of
 
 CENTRE = 1e-12
 """Of a superquadric S = 1: S below which its centre is rounded off."""
-FLAT = 1e-300
-"""Added to the square of a slope, which vanishes at a centre: there is no normal, and no slip."""
 Coordinates = Sequence[tuple[Combination, Combination]]
 """Forms link . axis of a place in axes of a body."""
 
@@ -229,7 +235,7 @@ def add_implicit(
     """
     mechanism = rows.mechanism
     leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
-    steepness = sqrt(dot(slopes, slopes) + FLAT)
+    steepness = sqrt(dot(slopes, slopes) + TINY)
     normal = tuple(slope / steepness for slope in slopes)
     slips = _slips(rows, contact, point, leaves, normal, forms, contact.ball_radius, up)
     add_contact(rows, contact, Formula(gap, tuple(leaves)), end=end, slips=slips)

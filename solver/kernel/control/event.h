@@ -55,28 +55,29 @@ static double speed_beyond(const context *c, int32_t i, double h, double force)
 }
 
 /* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the
-   state, whose functions at its ends are known. Under a tolerance errors tell, and cut it. */
+   state, whose functions at its ends are known; under a tolerance errors tell, and cut it. */
 static int passes_edge(const context *c, double h, event_values low, event_values high)
 {
-    const double fastest = fastest_node(c);
+    if (c->tolerance > 0.0) return 0;
+    const double fastest = fastest_node(c),
+                 most = fmax(ACROSS_EDGE * fastest, speed_tolerance(c));
     const int is_shared = has_shares(c) || c->event.together || may_have_dependent_rows(c);
     EACH_CONTACT(c, i) {
         if (!is_closed(c, i)) continue;
-        if (fabs(gap_rate(c, i)) > fmax(ACROSS_EDGE * fastest, speed_tolerance(c))) return 1;
+        if (fabs(gap_rate(c, i)) > most) return 1;
         if (is_shared) continue;
         const double beyond = speed_beyond(c, i, h, 0.5 * (low.value[i] + high.value[i]));
-        if (beyond > fmax(ACROSS_EDGE * fastest, speed_tolerance(c))
-            && beyond < NO_EDGE * fastest)
-            return 1;
+        if (beyond > most && beyond < NO_EDGE * fastest) return 1;
     }
     return 0;
 }
 
 /* Whether a piece of length h, at whose start the normal force of closed contact i was `force`,
-   may have ended past an edge of it; `reach` are SAFE_WAYS of the fastest node. */
+   may have ended past an edge of it, likewise; `reach` are SAFE_WAYS of the fastest node. */
 static int is_edge_near(const context *c, int32_t i, double h, double reach, double force,
                         int is_shared)
 {
+    if (c->tolerance > 0.0) return 0;
     const double speed = reach / (SAFE_WAYS * h), least = speed_tolerance(c);
     if (is_shared) return fabs(gap_rate(c, i)) > fmax(ACROSS_EDGE * speed, least);
     return !is_telling(c) || speed_beyond(c, i, h, force) > fmax(SURELY_SMOOTH * speed, least);
@@ -162,9 +163,7 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
             x.value[i] = normal_of(c, i);
             if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i])))
                 return 0;
-            if (!(c->tolerance > 0.0)
-                && is_edge_near(c, i, h, reach, low.value[i], rests || is_shared))
-                return 0;
+            if (is_edge_near(c, i, h, reach, low.value[i], rests || is_shared)) return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
         else c->view.may_fall_asleep |= is_far_enough(c, i, x.value[i]);
     }
@@ -465,7 +464,6 @@ static void forget_asleep(const context *c, event_values x)
 static int32_t cut_piece(context *c, double t, double law_time, double h, double *covered)
 {
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
-    const int has_equal_steps = !(c->tolerance > 0.0);
     double reach = SAFE_WAYS * h * fastest_node(c);
     int32_t status = HOLONOM_OK;
     *covered = h;
@@ -485,8 +483,7 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     if (!is_quiet(c, h, reach, low, high)) {
         if (c->view.near[NEAR_CONTACTS]) forget_asleep(c, low);
         status = event_functions(c, high);
-        c->event.cuts =
-            !status && has_equal_steps && !is_short(c, h) && passes_edge(c, h, low, high);
+        c->event.cuts = !status && !is_short(c, h) && passes_edge(c, h, low, high);
         if (c->event.cuts) return HOLONOM_CONTACT_UNDECIDED;
         if (!status) status = find_event(c, t, law_time, h, covered);
         follow_travel(c, start_of_piece(c));

@@ -313,7 +313,8 @@ static int has_other_seen(const context *c, const piece *x)
 
 /* Whether the arguments of switches beyond which a longer step fails (NAN in at_high) have come to
    their levels at its end (at_low). Explicit steps fail earlier, where a stage overshoots. */
-static int has_come_to_level(const context *c, const double *at_low, const double *at_high)
+HM_SELDOM static int has_come_to_level(const context *c, const double *at_low,
+                                       const double *at_high)
 {
     for (int32_t k = 0; k < n_switches(c); k++) {
         const switch_place *x = switch_of(c, k);
