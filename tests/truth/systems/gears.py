@@ -148,7 +148,6 @@ def _planetary(spring: float, torque: float, name: str, stop: float) -> System:
     return System(
         name=name, kind="gears", origin="closed form: Willis' equation, one freedom",
         scene=scene, stop=stop, right=right, internal_step=0.002, scale=swing,
-        fails={"fastest 1e-8": 46} if spring else {},
     )  # fmt: skip
 
 
