@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import subprocess
 import sys
 import zipfile
@@ -150,6 +151,10 @@ def test_the_demonstration_comes_to_its_end(capsys):
     out = capsys.readouterr().out
     assert "largest energy error" in out
     assert "finished" in out
+    # Of the same run, rows of 50 ms for those of 20 ms: the same quantity at the same time.
+    page = (ROOT / "docs/explanation/midpoint.md").read_text("utf-8")
+    lost = re.search(r"off by 1 % of its start after ([\d.]+) s", page)
+    assert f"energy off by 1 % at t = {float(lost[1]):g} s" in out
 
 
 def test_progress_runs_from_0_to_1():
