@@ -134,7 +134,6 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged, 
     if (status) return status;
     keep_state(c, c->k.finest);
     result->method = COVERED;
-    result->finest = 0;
     status = is_judged ? HOLONOM_OK : take_weighted(c, booked, result);
     if (!status && !is_judged) return HOLONOM_OK;
     if (is_judged) {

@@ -106,6 +106,7 @@ static int32_t take_step(context *c, double h, step_result *result)
 {
     int order = (int)c->s.head[S_ORDER_IN_USE];
     result->method = UNTAKEN;
+    result->finest = 0;
     if (c->s.head[S_EXPLICIT] != 0.0 && is_explicit_order(order) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         const int32_t status = runge_kutta_step(c, h, result);
