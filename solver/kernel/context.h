@@ -22,7 +22,7 @@ typedef struct step_result {
     double free_part;         /* of it, that rows leave free */
     double energy_correction; /* change of velocities that brought energy onto the ledger, relative
                                  to speed */
-    double growth;            /* of its error by the motion to come, see put_back.h */
+    double growth;            /* of its error by the motion to come, see flight.h */
     double longest_put_back;  /* next explicit step, by the difference of this one [s] */
     double shorter;           /* length of the next try over that of a step that failed */
 } step_result;

@@ -23,10 +23,10 @@
 #define FADING 1.05
 #define TRUSTED_AGAIN 0.05
 
-static inline double *learned(const context *c)
+static inline double *learned(context *c)
 { return c->view.scalars + (is_lean(c) ? I_LEAN_CONTRACTION : I_BEND); }
 
-static void learn_contraction(const context *c, const newton_record *r)
+static void learn_contraction(context *c, const newton_record *r)
 {
     if (r->increments != 2 || r->iteration != 1 || !r->factors.kept || r->factors.taken_over
         || !(r->begun > 0.0))
@@ -40,11 +40,11 @@ static void learn_contraction(const context *c, const newton_record *r)
 }
 
 /* After a step of one increment. */
-static void trust_less(const context *c) { *learned(c) = fmin(FADING * *learned(c), MOST_LEARNED); }
+static void trust_less(context *c) { *learned(c) = fmin(FADING * *learned(c), MOST_LEARNED); }
 
 /* What fresh factors leave of a first increment, over its size; 1 where nothing tells it, and with
    frictions, whose cones follow multipliers from one update to the next. */
-static double known_contraction(const context *c, double first, double size)
+static double known_contraction(context *c, double first, double size)
 {
     const double known = *learned(c);
     if (!(known > 0.0) || (n_frictions(c->m) && !c->view.asleep)) return 1.0;

@@ -69,7 +69,7 @@ static void choose_factors(context *c)
 
 /* What the last increment tells of the factors: the contraction or, as long as there is no
    increment before it with the same ones, its size against the step's. */
-static void judge_increment(const context *c, newton_record *r)
+static void judge_increment(context *c, newton_record *r)
 {
     r->factors.made = 1;
     if (!r->factors.kept) r->first = r->eta;
