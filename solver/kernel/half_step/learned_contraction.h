@@ -29,10 +29,10 @@ static inline double *learned(context *c)
 static void learn_contraction(context *c, const newton_record *r)
 {
     if (r->increments != 2 || r->iteration != 1 || !r->factors.kept || r->factors.taken_over
-        || !(r->begun > 0.0))
+        || !(r->first_increment > 0.0))
         return;
-    const double contraction = r->eta / r->begun,
-                 told = contraction / (is_lean(c) ? c->h * c->h : r->begun / r->size);
+    const double contraction = r->eta / r->first_increment,
+                 told = contraction / (is_lean(c) ? c->h * c->h : r->first_increment / r->size);
     double *known = learned(c);
     if (*known == 0.0 || told < *known || r->eta > ROUND_OFF_SHOWS(c) * r->size)
         *known = fmin(told, MOST_LEARNED);
