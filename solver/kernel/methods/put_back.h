@@ -31,7 +31,7 @@ static void add_correction(const context *at, double *x)
 /* Lets equations at the state have factors without stiffness where there are any. */
 static void take_unknowns(context *at)
 {
-    look_at_all(at);
+    select_all_islands(at);
     stand_still_as_bodies(at);
     at->step.rows_known = 0;
     if (at->m->n_lean_values) at->factors.lu = lean_factors(at);
