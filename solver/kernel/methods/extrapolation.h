@@ -138,6 +138,7 @@ HM_SELDOM static int32_t judged_pair(context *c, double h, step_result *result)
     stand_as_finest(result, 2);
     const int32_t status = take_covers(c, h, 2, 2, unused);
     if (!status) add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
+    c->s.head[S_LAST_LENGTH] = 0.5 * h; /* of the second pair */
     return status;
 }
 

@@ -187,7 +187,7 @@ HM_SELDOM static int has_unknown_work(const context *c)
 HM_SELDOM static int make_up(context *c, double excess)
 {
     const double damped = lost_of(c, S_DISSIPATED), rubbed = lost_of(c, S_FRICTION);
-    if (!(fabs(excess) <= damped + rubbed)) return 0;
+    if (!(fabs(excess) <= fmax(damped, rubbed))) return 0; /* no account becomes negative by it */
     book(c, rubbed > damped ? S_FRICTION : S_DISSIPATED, -excess);
     return 1;
 }
