@@ -71,6 +71,32 @@ def test_shorter_communication_steps_choose_lower_orders_and_meet_them_exactly()
     assert run["solver.substeps"] == 2.0  # a pair costs a quarter of an explicit step
 
 
+def test_the_pair_behind_a_judged_one_counts_as_pairs_of_its_length_do():
+    """The force grows evenly and the speed hardly: errors of pairs are k h^3, from the first on."""
+    scene = solver.loads("""
+    name = "even"
+    dimension = 2
+    [points]
+    A = { position = [0, 0], mass = 1, velocity = [10, 0] }
+    [forces]
+    push = { type = "force", point = "A", value = ["2*t", "0"] }
+    """)
+
+    def told(step: float, stop: float) -> tuple[np.ndarray, np.ndarray]:
+        found = solver.simulate(
+            scene, stop_time=stop, step_size=step, tolerance=1e-3, order=2,
+            outputs=["solver.error_estimate"], record_mesh=True,
+        )  # fmt: skip
+        return found.mesh.steps[:, 1], found["solver.error_estimate"]
+
+    lengths, errors = told(0.1, 0.4)
+    k = (errors[-1] - errors[-2]) / lengths[-1] ** 3
+    lengths, errors = told(lengths[0] + lengths[1], lengths[0] + lengths[1])
+    assert len(lengths) == 2
+    first, second = k * lengths**3
+    assert second < errors[-1] < second + first
+
+
 def test_an_absolute_tolerance_is_a_floor_under_the_relative_one():
     coarse, fine = swinging(1e-8, absolute_tolerance=1e-3), swinging(1e-8)
     assert 1e-6 < error_at_the_end(coarse) < 1e-2
