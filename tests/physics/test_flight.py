@@ -355,3 +355,31 @@ def test_a_rod_on_a_ball_joint_is_a_spherical_pendulum(steps: str, angle: float)
         assert np.abs(spins).max() < 1e-6
         work.append(needed)
     assert work[0] < 3.0 * work[1]
+
+
+POINT = """
+name = "point"
+dimension = 2
+[parameters]
+m = { value = 1.3 }
+[points]
+A = { position = [-0.5, 0], velocity = [1, 0], mass = "m" }
+[forces]
+f = { type = "force", point = "A", value = ["-A.x", "0.5"] }
+"""
+
+
+@pytest.mark.parametrize("mass", [1.21, 1.234, 1.27, 1.3000001, 1.33, 1.357, 1.371, 1.39])
+def test_a_point_alone_has_no_angular_momentum_to_keep(mass: float) -> None:
+    """About itself, also where its mass times its place over its mass is not its place.
+
+    It swings about x = 0 with omega = 1/sqrt(m), and falls with 0.5/m.
+    """
+    run = solver.simulate(
+        solver.loads(POINT), stop_time=1.0, step_size=0.25, tolerance=1e-6, method="fastest",
+        parameters={"m": mass},
+    )  # fmt: skip
+    omega = 1.0 / math.sqrt(mass)
+    speed = 0.5 * omega * math.sin(omega) + math.cos(omega)
+    assert run["A.vx"][-1] == pytest.approx(speed, abs=3e-6)
+    assert run["A.vy"][-1] == pytest.approx(0.5 / mass, abs=3e-6)
