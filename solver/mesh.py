@@ -96,8 +96,10 @@ class Mesh:
             with np.load(path, allow_pickle=False) as file:
                 about = json.loads(str(file["about"]))
                 names = tuple(file["columns"].tolist())
-                arrays = [file[name] for name in ("times", "steps", "sides", "ends")]
-                mesh = cls(*arrays, about["settings"], about["parts"])
+                times, steps, sides, ends = (
+                    file[name] for name in ("times", "steps", "sides", "ends")
+                )
+                mesh = cls(times, steps, sides, ends, about["settings"], about["parts"])
         except (ValueError, KeyError, TypeError, zipfile.BadZipFile, EOFError):
             text = f"{os.fspath(path)}: is no mesh of a run; record it again"
             raise OptionError(text) from None

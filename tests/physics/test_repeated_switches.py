@@ -35,6 +35,9 @@ BOUNDED = POINT.format(
 RUBBED = POINT.format(
     parameter="c", value=0.8, place=0, speed=1, law="0.5 - c*sign(A.vx) - (0.2 if t > 1.2 else 0)"
 )
+TOGETHER = POINT.format(
+    parameter="c", value=0.2, place=0.9, speed=0, law="-sign(A.x) - c*floor(6*A.x)"
+)
 BOUNCING = """
 name = "ball"
 dimension = 2
@@ -134,7 +137,7 @@ def slope_of(place, value):
 
 
 @pytest.mark.parametrize("options", METHODS, ids=str)
-@pytest.mark.parametrize("text", [TIMED, SIGN, BOUNDED, RUBBED, BOUNCING, ARM])
+@pytest.mark.parametrize("text", [TIMED, SIGN, BOUNDED, RUBBED, TOGETHER, BOUNCING, ARM])
 def test_the_same_numbers_give_the_same_bits(text, options):
     first = recorded(text, **options)
     assert np.isin(first.mesh["end"], [MESH_ENDS.index(x) for x in ("switch", "time")]).any()
@@ -220,6 +223,30 @@ def test_sides_change_with_an_impact_and_in_flight():
     assert found == pytest.approx(slope_of(place, 9.81), abs=1e-8)
 
 
+def of_two_at_once(c, time):
+    """From 0.9 pulled by 1 + n c to n/6, n from 5 to 0, and pushed back by 1 + c behind 0."""
+    speed = spent = 0.0
+    for n in range(5, -1, -1):
+        way = 0.9 - 5 / 6 if n == 5 else 1 / 6
+        faster = math.sqrt(speed * speed + 2 * (1 + n * c) * way)
+        spent += (faster - speed) / (1 + n * c)
+        speed = faster
+    left = time - spent
+    assert left > 0
+    return -speed * left + (1 + c) / 2 * left * left
+
+
+@pytest.mark.parametrize("options", METHODS, ids=str)
+def test_two_switches_at_once_go_on_together(options):
+    """The sign of A.x and the whole number below 6 A.x change at 0."""
+    at = {"stop_time": 1.02, "step_size": 1.02}
+    mesh = recorded(TOGETHER, **at, **options).mesh
+    for c in (0.19, 0.2, 0.21):
+        right = of_two_at_once(c, 1.02)
+        assert -1 / 6 < right < 0
+        assert last(TOGETHER, {"c": c}, mesh=mesh, **at) == pytest.approx(right, abs=1e-10)
+
+
 def test_velocities_jump_when_the_driver_of_the_new_numbers_begins():
     """The arm has turned by 2 (t - begin)."""
     mesh = recorded(ARM, tolerance=1e-6).mesh
@@ -233,7 +260,7 @@ def test_velocities_jump_when_the_driver_of_the_new_numbers_begins():
 @pytest.mark.parametrize(
     ("text", "values", "switch"),
     [
-        (TIMED, {"off": 1.1}, "force 'f': t < off"),  # behind the communication point
+        (TIMED, {"off": 1.02}, "force 'f': t < off"),  # behind the communication point
         (TIMED, {"off": -1.0}, "force 'f': t < off"),
         (SIGN, {"start": -1.0}, "force 'f': sign(A.x)"),
         (SIGN, {"m": 0.2}, "force 'f': sign(A.x)"),  # sooner, and back again

@@ -93,6 +93,14 @@ static int32_t refuse_events(context *c, double t, double law_time, double h)
     return HOLONOM_OK;
 }
 
+/* The row behind a row, if a switch of the motion ends its step, or NULL. */
+static const double *next_row(const context *c, const double *row)
+{
+    const holonom_mesh *x = repeated_by(c);
+    const double *next = row + row_size(c);
+    return row[MESH_END] == END_SWITCH && next < x->row + row_size(c) * x->count ? next : NULL;
+}
+
 /* Takes the steps of a piece; with `looks` events are looked for in those that had none. */
 static int32_t take_piece(context *c, const mesh_piece *x, int looks)
 {
@@ -111,7 +119,7 @@ static int32_t take_piece(context *c, const mesh_piece *x, int looks)
         if (other < n_switches(c)) return refuse_switch(c, other);
         c->t = t;
         int32_t status = take_again(c, row, h);
-        if (!status && looks) status = check_sides(c, switch_of_row(c, row), 1);
+        if (!status && looks) status = check_step(c, row, next_row(c, row));
         if (!status && looks && is_unilateral(c->m) && !is_event(row))
             status = refuse_events(c, t, law_time, h);
         else if (!is_event(row)) follow_slips(c, values_at(c, AT_HIGH));
@@ -163,9 +171,10 @@ static int32_t meet_event(context *c, mesh_piece *x, double law_time, double lon
 {
     double left = 0.0, before = 0.0, last = NAN, best = NAN, least = INFINITY;
     double shorter = FIRST_SHORTER;
+    int32_t status = HOLONOM_OK;
     int is_met = 0;
     for (int k = 0; k < MOST_TRIED; k++) {
-        const int32_t status = take_to_event(c, x, law_time, &left);
+        status = take_to_event(c, x, law_time, &left);
         double next;
         if (status == HOLONOM_STOPPED) return status;
         if (status || !(fabs(left) < INFINITY)) {
@@ -185,6 +194,7 @@ static int32_t meet_event(context *c, mesh_piece *x, double law_time, double lon
         x->factor = next;
     }
     x->factor = best;
+    if (!(least < INFINITY)) return status;
     if (is_met || least <= round_off_of_event(c, x->last)) return HOLONOM_OK;
     return x->last[MESH_END] == END_SWITCH ? refuse_switch(c, switch_of_row(c, x->last))
                                            : HOLONOM_MESH_EVENTS;

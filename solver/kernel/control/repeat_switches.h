@@ -31,9 +31,9 @@ HM_SELDOM static double beyond_in_step(const context *c, int32_t k)
     return fmax(beyond_side(kind, least, c->s.side[k]), beyond_side(kind, largest, c->s.side[k]));
 }
 
-/* Refuses a motion that is off the sides of its laws, by more than rounding, at the present state
-   or, where it is `inside`, in the step that has led here; but for switch `except`. */
-HM_SELDOM static int32_t check_sides(context *c, int32_t except, int inside)
+/* Refuses a motion that is off the sides of its laws, by more than rounding, at the present state;
+   but for switch `except`. */
+HM_SELDOM static int32_t check_sides(context *c, int32_t except)
 {
     double *at = c->k.argument_high;
     if (!n_motion_switches(c)) return HOLONOM_OK;
@@ -41,14 +41,25 @@ HM_SELDOM static int32_t check_sides(context *c, int32_t except, int inside)
     for (int32_t k = 0; k < n_switches(c); k++) {
         const switch_place *x = switch_of(c, k);
         const double side = c->s.side[k];
-        const int was_off = inside && c->k.seen[k] != 0.0;
-        if (k == except || !x->is_of_motion || !(was_off || is_off_side(x->kind, at[k], side)))
-            continue;
-        const double now = at[k] == at[k] ? beyond_side(x->kind, at[k], side) : INFINITY,
-                     beyond = was_off ? fmax(now, beyond_in_step(c, k)) : now;
-        if (!(beyond <= rounding_of(c, x))) return refuse_switch(c, k);
+        if (k == except || !x->is_of_motion || !is_off_side(x->kind, at[k], side)) continue;
+        if (!(beyond_side(x->kind, at[k], side) <= rounding_of(c, x))) return refuse_switch(c, k);
     }
     return HOLONOM_OK;
+}
+
+/* Likewise at the end of the step of a row, and in it: stages go a little farther than the end,
+   beyond the level of switches that change there, as `next`, the row behind it or NULL, tells. */
+HM_SELDOM static int32_t check_step(context *c, const double *row, const double *next)
+{
+    const int32_t except = switch_of_row(c, row);
+    const int32_t status = check_sides(c, except);
+    for (int32_t k = 0; !status && n_motion_switches(c) && k < n_switches(c); k++) {
+        const int changes =
+            k == except || (next && !(sides_of_row(next)[k] == sides_of_row(row)[k]));
+        if (c->k.seen[k] == 0.0 || changes) continue;
+        if (!(beyond_in_step(c, k) <= rounding_of(c, switch_of(c, k)))) return refuse_switch(c, k);
+    }
+    return status;
 }
 
 /* Lets a piece begin on the sides of its first row, behind one that has ended at switch `except`;
@@ -64,7 +75,7 @@ HM_SELDOM static int32_t begin_on_row(context *c, const double *row, double rest
         if (!switch_of(c, k)->is_of_motion) return refuse_switch(c, k);
     if (first < n_switches(c)) {
         status = take_sides(c, sides_of_row(row), first);
-        if (!status) status = check_sides(c, except, 0);
+        if (!status) status = check_sides(c, except);
         x.length = rest;
         if (!status) status = stop_at_switch(c, &x, rest, step);
     }
@@ -83,7 +94,7 @@ HM_SELDOM static int32_t pass_switch_of_row(context *c, const double *row, const
         side[j] = next && switch_of(c, j)->is_of_motion ? sides_of_row(next)[j] : c->s.side[j];
     side[k] = row[MESH_SIDE];
     const int32_t status = take_sides(c, side, k);
-    return status || !next ? status : check_sides(c, k, 0);
+    return status || !next ? status : check_sides(c, k);
 }
 
 #endif
