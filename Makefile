@@ -130,12 +130,12 @@ $(VENV)/created:
 	@touch $@
 
 $(VENV)/installed: $(VENV)/created $(BUILD)
-	@echo "installing holonom and what it needs (a minute, the first time)"
+	@echo "installing holonom and what it needs (some minutes, the first time)"
 	@$(INSTALL) .
 	@touch $@
 
 $(VENV)/installed-tools: $(VENV)/created $(BUILD)
-	@echo "installing holonom, what it needs, and the tools that check it (a minute, the first time)"
+	@echo "installing holonom, what it needs, and the tools that check it (some minutes, the first time)"
 	@$(INSTALL) '.[test,lint]' -C cflags="$(WARNINGS)"
 	@touch $@ $(VENV)/installed
 

@@ -268,7 +268,11 @@ def _scales(
         sides += [float(np.ptp(rows))] if rows else []
     extent = max(size, math.hypot(*sides)) or 1.0
     scales = {"m": extent, "rad": 1.0}
-    for straight, turning, arm in (("m/s", "rad/s", extent), ("N", "N.m", 1.0 / extent)):
+    arm_of_parts = size or extent  # the way of a wheel is no arm
+    for straight, turning, arm in (
+        ("m/s", "rad/s", arm_of_parts),
+        ("N", "N.m", 1.0 / arm_of_parts),
+    ):
         scales[straight] = max(largest[straight], largest[turning] * arm)
         scales[turning] = scales[straight] / arm
     return scales

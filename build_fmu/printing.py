@@ -68,8 +68,8 @@ def print_table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]
 
 
 def number(value: float) -> str:
-    """Value for reading: six digits, aligned sign."""
-    return f"{value: .6g}"
+    """Value for reading: six digits, aligned sign, no -0."""
+    return f"{value + 0.0: .6g}"
 
 
 def as_text(value: object) -> str:

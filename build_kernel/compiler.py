@@ -25,6 +25,7 @@ from typing import NamedTuple
 
 from build_fmu.platforms import PLATFORMS, SCOPES, library_path, own_platform
 from build_kernel.model_tables import write_headers
+from build_kernel.record import digest_of_inputs, is_compiled, keep_record
 from build_kernel.universal import universal
 
 SOURCES = Path("solver/kernel")
@@ -78,15 +79,16 @@ class CompilerError(Exception):
 def compile_kernel(root: Path) -> list[Path]:
     """Compile the kernel below `root`, the folder of pyproject.toml; the paths of its libraries.
 
-    They are those of this platform: for Python and, where FMI has a name for it, for FMUs.
+    They are those of this platform: for Python and, where FMI has a name for it, for FMUs. Nothing
+    is compiled where they are there already, of the same sources, compiler and options.
     """
     compiler = any_compiler()
     if not kernel_sources(root / SOURCES):
         text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
         raise CompilerError(text)
     system, own = platform.system(), own_platform()
-    print("compiling the kernel:", shlex.join([*compiler, *flags(system)]))
     options = _without_runtime(compiler)
+    command = [*compiler, *flags(system), *options]
     libraries: dict[Path, Kind] = {
         root / LIBRARIES / library_name(system, dimension): Kind(dimension)
         for dimension in DIMENSIONS
@@ -103,8 +105,15 @@ def compile_kernel(root: Path) -> list[Path]:
             return new.replace(target)
 
     write_headers((root / SOURCES).parent)
-    with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
-        found = [*pool.map(lambda item: compiled(*item), libraries.items())]
+    inputs = digest_of_inputs(root, command, (SOURCES, SLAVE_SOURCES))
+    found = [*libraries]
+    if is_compiled(root, inputs, found):
+        print("the kernel is compiled already, of the same sources by the same command")
+    else:
+        print("compiling the kernel:", shlex.join(command))
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            found = [*pool.map(lambda item: compiled(*item), libraries.items())]
+        keep_record(root, inputs, found)
     others = {
         *(root / LIBRARIES).glob("libholonom_*"),
         *(root / SLAVES).glob("native/_libraries/*/*"),

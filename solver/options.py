@@ -160,8 +160,8 @@ REMOVED = {
     **dict.fromkeys(("formulation", "algorithm", "multiplier_update"), _PAPER),
     "paired": "half steps always come in pairs, which makes velocities smooth",
     **dict.fromkeys(("xi", "omega"), _VELOCITY),
-    "energy": "steps are solved to newton_tolerance; explicit steps, which a tolerance takes "
-    "wherever it can, have no use for another",
+    "energy": "half steps are solved to newton_tolerance; where it was to save time under a "
+    'tolerance, method = "fastest" does',
 }
 """Settings of before, by name, and where what they did has gone."""
 

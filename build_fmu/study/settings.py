@@ -237,15 +237,16 @@ def _checked(entry: Entry, variable: ScalarVariable, tool: str | None) -> object
         with_unit = isinstance(value, str) and re.fullmatch(r"[-+]?[\d.]+ ?[^\W\d].*", value)
         help = "a unit is not written here" if with_unit and variable.type != "Boolean" else ""
         raise WrongValueError(variable.name, f"must be {words}, got {shown(value)}", help)
+    is_ours = tool == f"{OURS}{VERSION}" and variable.name.startswith("solver.")
+    option = OPTIONS[variable.name.removeprefix("solver.")] if is_ours else None
     if is_number(value):
         low, high = (float(x) if x is not None else value for x in (variable.min, variable.max))
         if not low <= value <= high:
             limit = f">= {low:g}" if value < low else f"<= {high:g}"
-            raise WrongValueError(variable.name, f"must be {limit}{in_unit}, got {value!r}")
-    if tool == f"{OURS}{VERSION}" and variable.name.startswith("solver."):
-        option = OPTIONS[variable.name.removeprefix("solver.")]
-        if not option.holds(value):  # an FMU of this version would refuse it in the run
-            raise WrongValueError(variable.name, f"must be {option.rule}, got {value!r}")
+            help = option.below if option and value < low else ""
+            raise WrongValueError(variable.name, f"must be {limit}{in_unit}, got {value!r}", help)
+    if option and not option.holds(value):  # an FMU of this version would refuse it in the run
+        raise WrongValueError(variable.name, f"must be {option.rule}, got {value!r}")
     return float(value) if variable.type == "Real" and is_finite(value) else value
 
 

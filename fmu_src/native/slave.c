@@ -139,7 +139,6 @@ slave_answer slave_check(slave *s, slave_call call)
 static void take_tolerance(slave *s, double tolerance)
 {
     double *head = slave_head(s);
-    head[S_HOST_TOLERANCE] = 0.0;
     const double own = hm_tolerance(head);
     if (!(tolerance >= HOLONOM_LEAST_TOLERANCE)) {
         slave_tell(s, ANSWER_OK, "tolerance %r has no effect: it must be >= %6g, some round-off",
@@ -177,6 +176,7 @@ slave_answer slave_set_up(slave *s, double start, const double *stop, const doub
     s->stop_time = stop ? *stop : INFINITY;
     s->last_digit = nextafter(last, INFINITY) - last;
     slave_head(s)[S_HORIZON] = length > 0.0 && length < INFINITY ? length : s->own_horizon;
+    slave_head(s)[S_HOST_TOLERANCE] = 0.0; /* an experiment takes that of one before back */
     if (tolerance) take_tolerance(s, *tolerance);
     return ANSWER_OK;
 }

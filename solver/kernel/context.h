@@ -22,7 +22,7 @@ typedef struct step_result {
     double free_part;         /* of it, that rows leave free */
     double energy_correction; /* change of velocities that brought energy onto the ledger, relative
                                  to speed */
-    double growth;            /* of its error by the motion to come, see put_back.h */
+    double growth;            /* of its error by the motion to come, see flight.h */
     double longest_put_back;  /* next explicit step, by the difference of this one [s] */
     double shorter;           /* length of the next try over that of a step that failed */
 } step_result;
@@ -258,7 +258,7 @@ static int bilateral_pieces(const context *c, span *row)
 }
 
 /* Lets islands first .. last - 1 be those at hand. */
-static void look_at(context *c, int32_t first, int32_t last)
+static void select_islands(context *c, int32_t first, int32_t last)
 {
     const holonom_model *m = c->m;
     const int32_t *begin = m->island_begin + ISLAND_COLUMNS * first,
@@ -287,7 +287,7 @@ static void look_at(context *c, int32_t first, int32_t last)
 static inline int take_island(context *c, int32_t i)
 {
     const int32_t n = c->m->n_islands;
-    if (n > 1) look_at(c, i < n ? i : 0, i < n ? i + 1 : n);
+    if (n > 1) select_islands(c, i < n ? i : 0, i < n ? i + 1 : n);
     return i < n;
 }
 
@@ -302,10 +302,10 @@ static inline int is_open(const context *c)
 { return c->factors.lu == &c->m->open || c->factors.lu == &c->m->bare; }
 
 /* Lets all islands be at hand, and the whole tangent. */
-static void look_at_all(context *c)
+static void select_all_islands(context *c)
 {
     c->factors.lu = &c->m->full;
-    if (c->m->n_islands > 1 || c->view.left_out) look_at(c, 0, c->m->n_islands);
+    if (c->m->n_islands > 1 || c->view.left_out) select_islands(c, 0, c->m->n_islands);
 }
 
 /* Factors of the whole tangent, and lean ones, that serve. */
@@ -341,7 +341,7 @@ static void see_all(context *c)
 {
     if (!c->view.near[NEAR_CONTACTS]) return;
     for (int k = 0; k < NEAR_LISTS; k++) c->view.near[k] = NULL;
-    look_at(c, c->view.first, c->view.last);
+    select_islands(c, c->view.first, c->view.last);
 }
 
 static void open_context(context *c, const holonom_model *m, double *number, double *state,
@@ -376,7 +376,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
         c->friction.slides |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->view.near[k] = NULL;
     c->factors.lu = &m->full;
-    look_at(c, 0, m->n_islands);
+    select_islands(c, 0, m->n_islands);
     c->event = (event_at_hand){0};
     c->factors.kept_lu = c->factors.lu;
     c->factors.kept_h = 0.0;

@@ -105,7 +105,7 @@ class _Search:
         self._held = frozenset(
             x for x, given in scene.inputs.items() if given.interpolation == "hold"
         )
-        of_steps = tolerance_of(vars(scene.solver)) > 0.0
+        of_steps = tolerance_of(vars(scene.solver)) > 0.0 or scene.solver.order > 2
         self._tells_forces = of_steps and not structure.sizes["unilateral"]
         settings = (
             f"solver.{option.name}"

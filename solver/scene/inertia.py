@@ -214,9 +214,8 @@ def _from_shape(
         help = "leave out 'mass' or 'density'"
         draft.error((*path, "mass"), "the density of the shape gives the mass already", help)
     if mass is None and fields.density is None:
-        help = (
-            f"write a density in {fields_of(kind)['density'].kind.unit} into the shape, or a mass"
-        )
+        unit = fields_of(kind)["density"].kind.unit
+        help = f"write a density in {unit} into the shape, or the mass of the body"
         draft.error(where, "neither 'density' nor the body's 'mass' is given", help)
 
     def scaled() -> tuple[Number, Inertia]:

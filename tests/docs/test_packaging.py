@@ -21,6 +21,7 @@ from build_fmu.export import TOOL
 from build_fmu.platforms import PLATFORMS
 from build_fmu.version import VERSION
 from build_kernel import backend, compiler
+from build_kernel.record import RECORD
 from solver.runtime.kernel import library_path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -168,6 +169,48 @@ echo library > "$2"
     monkeypatch.setenv("CFLAGS", "-Werror")
     with pytest.raises(compiler.CompilerError, match="error: unused"):
         compiler.compile_kernel(tree)
+
+
+COUNTS = """
+while [ "$1" != -o ]; do shift; done
+echo run >> "$RUNS"
+echo library > "$2"
+"""
+"""A compiler that leaves a line for each library."""
+
+
+def test_what_is_compiled_is_not_compiled_again_until_something_changes(
+    tree, path_folder, monkeypatch
+):
+    """`make demo` after an installation, and a pull that changes no source, need no compiler."""
+    runs = tree / "runs.txt"
+    monkeypatch.setenv("RUNS", str(runs))
+    monkeypatch.setenv("CC", "cc")
+    program = write_compiler(path_folder, "cc", COUNTS)
+
+    def compiled() -> int:
+        runs.write_text("")
+        libraries[:] = compiler.compile_kernel(tree)
+        assert [path.read_text() for path in libraries] == 8 * ["library\n"]
+        return len(runs.read_text().splitlines())
+
+    libraries: list[Path] = []
+    assert [compiled(), compiled()] == [8, 0]
+    source = tree / compiler.SOURCES / "holonom.c"
+    layout = tree / "solver/runtime/layout.py"
+    os.utime(source, (1e9, 1e9))  # as a checkout of the same text does
+    assert compiled() == 0
+    for change in (
+        lambda: source.write_text("typedef int other;\n"),
+        lambda: monkeypatch.setenv("CFLAGS", "-O1"),
+        lambda: os.utime(program, (1e9, 1e9)),  # another version of the compiler
+        libraries[0].unlink,
+        lambda: libraries[-1].write_text("of another platform"),
+        lambda: (tree / RECORD).write_text("{"),
+        lambda: layout.write_text(layout.read_text().replace("MOST_LEVELS = 3", "MOST_LEVELS = 4")),
+    ):
+        change()
+        assert [compiled(), compiled()] == [8, 0]
 
 
 @pytest.mark.skipif(compiler.system_compiler() is None, reason="needs a C compiler")

@@ -72,6 +72,21 @@ def test_the_error_of_a_pendulum_is_that_of_elliptic_functions(capsys, order, st
     assert of_kind(seen, "places")["largest"] == pytest.approx((1 - 2.0**-order) * error, rel=0.2)
 
 
+def test_speeds_of_a_wheel_count_over_those_of_its_points_however_far_it_rolls():
+    """A disc of 0.1 m at 2 m/s and 20 rad/s, for 50 s: no point of it is faster than 4 m/s."""
+    times = np.linspace(0.0, 50.0, 11)
+    run_ = {"w.x": 2.0 * times, "w.vx": np.full(11, 2.0), "w.angular_velocity": np.full(11, -20.0)}
+    run_ |= {"w.force.x": np.full(11, 3.0), "w.torque": np.full(11, 0.3)}
+    off = run_ | {"w.vx": run_["w.vx"] + 1e-3, "w.torque": run_["w.torque"] + 3e-4}
+    units = {"w.x": "m", "w.vx": "m/s", "w.angular_velocity": "rad/s"}
+    units |= {"w.force.x": "N", "w.torque": "N.m"}
+    seen = Comparison(times, run_, off, units, 0.1).differences
+    assert seen["m/s"].relative == pytest.approx(1e-3 / 2.0)
+    assert seen["rad/s"].scale == pytest.approx(20.0)
+    assert seen["N.m"].relative == pytest.approx(3e-4 / 0.3)
+    assert seen["m"].scale == pytest.approx(100.0)
+
+
 def test_steps_too_long_for_a_rotor_are_said_so_with_the_step_that_is_short_enough(capsys):
     """M/J = 240 rad/s2: 120 rad after 1 s; steps of 10 ms, in which it turns 2.4 rad, miss 8."""
     fmu = text_fmu(f"{ROTOR}[solver]\nstep_size = 0.01\n")

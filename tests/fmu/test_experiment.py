@@ -28,6 +28,20 @@ def test_a_second_experiment_without_a_stop_time_takes_the_first_one_back(native
 
 
 @pytest.mark.parametrize("native", [False, True], ids=["python", "native"])
+def test_a_second_experiment_without_a_tolerance_takes_the_first_one_back(native):
+    found = []
+    for tolerances in ([None], [1e-9, None], [1e-9]):
+        with instance(pendulum(native=native)) as fmu:
+            fmu.set(solver__tolerance=1e-4)
+            for tolerance in tolerances:
+                fmu.fmu.setupExperiment(tolerance=tolerance, startTime=0.0)
+            fmu.fmu.enterInitializationMode()
+            fmu.fmu.exitInitializationMode()
+            found.append(fmu.run(0.0, 0.1, 2))
+    assert found[0] == found[1] != found[2]
+
+
+@pytest.mark.parametrize("native", [False, True], ids=["python", "native"])
 @pytest.mark.parametrize(
     ("own", "tolerance", "taken", "words"),
     [

@@ -30,7 +30,7 @@ enum {
     CHECKED_FROM = offsetof(hm_header, abi)
 };
 /* A state: that of the slave, its head and the numbers; its two checksums, and what each is of
-   (slave_states.c, instance.c). */
+   (slave_states.c, saved_state.c). */
 enum { KEPT = 48, KEPT_CHECKSUM = 8, KEPT_CHECKED = 12, SAVED_CHECKSUM = 56, SAVED_HEAD = 64 };
 
 struct target { struct fmu fmu; byte *model; size_t length; reference step_size[2]; };

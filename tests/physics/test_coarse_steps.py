@@ -275,6 +275,25 @@ def test_of_a_driven_arm_velocities_and_reactions_are_off_and_not_its_place(valu
     assert proposed(said[-1]) < 0.001
 
 
+@pytest.mark.parametrize(("order", "turn"), [(4, 1.2), (4, 2.2), (6, 2.2)])
+def test_of_a_driven_arm_at_high_orders_reactions_are_off_as_said(order, turn):
+    """The driver's angle is exact in steps of any length; the force is m r w^2."""
+    omega, step = 10.0, turn / 10.0
+    times = step * np.arange(41)
+    names = ("arm.angle", "pin.force.x", "pin.force.y")
+    text = driven(f"{omega}*t").replace("-9.81", "0")
+    settings = settings_of(step, float(times[-1])).replace("[solver]", f"[solver]\norder = {order}")
+    found, said, _ = run_of(text + settings, names, times)
+    assert abs(found[:, 0] - omega * times).max() < 1e-9
+    (figure,) = re.findall(
+        r"drivers give its place, but reactions are off by about ([\d.e-]+) %", said[-1]
+    )
+    angle = found[1:, 0]
+    right = -0.5 * omega**2 * np.array([np.cos(angle), np.sin(angle)]).T
+    off = abs(found[1:, 1:] - right).max() / (0.5 * omega**2)
+    assert off / 3.0 < 0.01 * float(figure) < 3.0 * off
+
+
 def test_of_a_driven_wheel_beside_a_free_one_only_the_free_one_counts_for_the_path():
     """The motor holds its angle; the other one, at 30 rad/s, loses x^3/48 in a step."""
     text = driven(

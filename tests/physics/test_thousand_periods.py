@@ -49,6 +49,43 @@ def test_a_spring_swings_a_thousand_periods(settings, allowed):
     assert amplitude == pytest.approx(0.2, abs=1e-12)  # of the energy
 
 
+SWINGS = """
+name = "swings"
+dimension = 2
+[points]
+A = { position = [1, 0.3], mass = 1.0 }
+[forces]
+bowl = { type = "potential", value = "0.5*(A.x**2 + 30*A.y**2)" }
+"""
+BRAKE = """
+[points.B]
+position = [5, 0]
+velocity = [1, 0]
+mass = 1.0
+[forces.brake]
+type = "damper"
+points = ["ground", "B"]
+at = [0, 0]
+damping = 0.3
+"""
+
+
+@pytest.mark.parametrize(
+    ("brake", "order", "least", "most"),
+    [("", 4, 0.0, 1e-13), (BRAKE, 2, 0.0, 1e-13), (BRAKE, 4, 2e-3, 4e-3), (BRAKE, 6, 3e-6, 1e-5)],
+)
+def test_a_damper_in_another_part_lets_energy_creep_between_swings(brake, order, least, most):
+    """Swings of 1 and 30**0.5 rad/s do not know of each other; the page of settings has figures.
+
+    The sum of both energies is kept: what one loses the other one gains.
+    """
+    names = ["A.x", "A.vx", "A.y", "A.vy"]
+    x, vx, y, vy = ends(SWINGS + brake, names, 100.0, 0.1, order=order, internal_step=0.1).T
+    slow, fast = 0.5 * (vx**2 + x**2), 0.5 * (vy**2 + 30.0 * y**2)
+    assert slow + fast == pytest.approx(0.5 + 1.35, rel=1e-13)
+    assert least <= abs(slow[-1] / 0.5 - 1.0) <= most
+
+
 def nutation(t: float, spin: float = 50, tilt: str = "0.05", push: str = "0") -> mpmath.mpf:
     """Height of the nose of a top by elliptic functions; by default of the heavy top.
 

@@ -52,5 +52,13 @@ def test_a_parameter_file_with_a_setting_of_before_is_told_where_it_went(capsys,
     assert LEFT.format("formulation") + REMOVED["formulation"] in told
 
 
+def test_a_low_penalty_of_an_fmu_is_told_where_it_went(capsys):
+    given = "solver.penalty=100"
+    code, _, told = run(capsys, "simulate", scene_fmu("double_pendulum"), "--set", given)
+    assert code == 2
+    assert "solver.penalty: must be >= 1e+06, got 100" in told
+    assert "holonom.simulate(scene, formulation=..., penalty=...)" in told
+
+
 def test_no_setting_is_both_there_and_gone():
     assert not OPTIONS.keys() & REMOVED.keys()

@@ -20,7 +20,6 @@ THEMES: Mapping[int, str] = {
     45: "fewer methods",
     46: "default accuracy and tolerances",
     47: "contact laws",
-    48: "reactions at high orders",
 }
 """What each issue mends, in the words of the page."""
 

@@ -49,7 +49,7 @@ ABOUT: Mapping[str, str] = {
     "mass_ratio_start": "A crank of 1e-9 kg moves a body of 1 kg: assembled velocities agree with the joints.",
     "singular_communication_point": "scenes/four_bar.toml at communication points close to its flat pose: it moves as parallel rods do, 3 a'' = -3.5 g cos a.",
     "slider_crank_tolerance": "scenes/slider_crank_with_clearance.toml with an order by tolerance: errors against runs at 1e-10 and 1e-11, which agree.",
-    "tree_of_25": "25 hinged bodies with springs and dampers, for speed: the number of internal steps is bounded.",
+    "tree_of_25": "25 hinged bodies with springs and dampers, for speed: the number of stages is bounded.",
 }
 """What is right of the cases that are no TOML file; the first lines of a file say it of the others."""
 
@@ -952,8 +952,9 @@ def _(how: str) -> None:
     assert abs(found["crank.angular_velocity"][-1] - 143.38373137) < bound * 150
 
 
-@right("tree_of_25", "at 1e-7 a second takes at most 1000 internal steps")
+@right("tree_of_25", "at 1e-7 a second takes at most 1100 stages")
 def _() -> None:
+    # 80 explicit steps of 12 stages did, where errors of order 8 counted half: see theory 8.8.
     found = run(
         text_of("tree_of_25"),
         1.0,
@@ -962,7 +963,7 @@ def _() -> None:
         tolerance=1e-7,
         method="fastest",
     )
-    assert found["solver.substeps"].sum() < 1000
+    assert found["solver.substeps"].sum() < 1100
 
 
 # --------------------------------------------------------------------------- contacts, friction

@@ -279,10 +279,10 @@ static void leave_far_out(context *c)
     c->view.near[NEAR_LINKED] = x.linked, c->view.near[NEAR_ACTIVE] = x.active;
     int32_t used = 0;
     for (int32_t island = 0; island <= islands; island++) {
-        look_at(c, island < islands ? island : 0, island < islands ? island + 1 : islands);
+        select_islands(c, island < islands ? island : 0, island < islands ? island + 1 : islands);
         used = add_slice(c, slice_of(c, island), used);
     }
-    look_at(c, 0, islands);
+    select_islands(c, 0, islands);
 }
 
 /* Whether contact i, open and awake, has a gap that may let it sleep. */

@@ -22,6 +22,7 @@
 #define HOLONOM_IMPACT_PATH_H
 
 #include "contact_solver.h"
+#include "share_impulses.h"
 
 /* Ways out of a jam, as bits. */
 enum { JAM_RETREATED = 1, JAM_SLOW_STOPPED = 2, JAM_ENDED = 4, JAM_PLASTIC = 8 };

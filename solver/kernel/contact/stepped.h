@@ -130,7 +130,6 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     if (mesh_of(c)) begin_row(c, rest), end_row(c, TAKEN_STEPPED);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + done + h * (double)i;
-        c->last.finest = 0;
         begin_halves(c, 2);
         settle_sides(c, c->t, 1); /* no switch is located, either */
         status = is_stopped(c) ? HOLONOM_STOPPED : stepped_half(c, 0.5 * h, 0, 0);

@@ -316,7 +316,7 @@ static int rates_to_stop(context *c)
     memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
     rates_of_turns(c, c->k.hit_defect);
     for (int32_t island = 0; island < c->m->n_islands; island++) {
-        look_at(c, island, island + 1);
+        select_islands(c, island, island + 1);
         if (island_has_contact(c) && !is_hit(c, island)) {
             holds = 1;
             continue;
@@ -324,7 +324,7 @@ static int rates_to_stop(context *c)
         EACH_ROW(c, i) c->k.phi[i] = 0.0;
         clear_nodes(c, c->k.hit_defect);
     }
-    look_at(c, 0, c->m->n_islands);
+    select_islands(c, 0, c->m->n_islands);
     return holds;
 }
 

@@ -18,11 +18,15 @@
    two. */
 enum { STEPS_A_LOOK = 24, FIRST_LOOK = 2, LAST_LOOK = 4 };
 
+/* Order of equal steps. */
+static inline double hm_order_of_steps(const double *head)
+{ return head[S_STEPPED] != 0.0 ? 2.0 : fmax(head[S_ORDER], 2.0); }
+
 /* Turn of a body in a step, by the order of steps [rad]: beyond, some hundred steps err by more
    than 1e-2. */
 static inline double hm_longest_turn(const double *head)
 {
-    const double order = head[S_STEPPED] != 0.0 ? 2.0 : head[S_ORDER];
+    const double order = hm_order_of_steps(head);
     return order > 6.0 ? 2.5 : order > 4.0 ? 2.0 : order > 2.0 ? 1.0 : 0.22;
 }
 

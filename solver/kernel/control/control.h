@@ -317,7 +317,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
                 return step_over(c, failed, start, done, step);
             return failed ? failed : blame_for_many(c, half_steps);
         }
-        c->last.finest = 0;
         c->last.shorter = 0.5;
         c->step.damped = is_dissipative(c);
         status = is_unilateral(c->m) ? stop_before(c, &x.length) : HOLONOM_OK;
@@ -418,7 +417,6 @@ static int32_t cover_evenly(context *c, double start, double step)
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
-        c->last.finest = 0;
         status = n_switches(c) ? cover_between_switches(c, c->t, h, step)
                                  : step_halving(c, h, UNDIVIDED);
         if (!status) follow_coarseness(c, h);

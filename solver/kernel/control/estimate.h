@@ -36,9 +36,11 @@
 #define SLAVED_COVER 0.5
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of
    the step before: a force has jumped within the step, and no difference before it tells. Likewise
-   of an explicit step that begins where a law has switched. */
+   of an explicit step that begins where a law has switched, or SOON_BEHIND: the switch lies less
+   than so many of its lengths before its end. */
 #define AT_A_JUMP 1.0
 #define SUDDEN 1.5
+#define SOON_BEHIND 1.5
 /* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it
    precesses, the step errs by its spin. */
 #define SPINNING 2.0
@@ -97,20 +99,17 @@ HM_SELDOM static double difference_at_node(const context *c, double h, const dou
 {
     const node_scales scales = scales_of_nodes(c, h);
     double largest = 0.0;
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        const span nodes = free_nodes(c, island);
-        const double all = mass_of_nodes(c, nodes);
-        for (int32_t a = nodes.begin; a < nodes.end; a++) {
-            const double fastest = (c->m->node_kind[a] ? scales.direction : scales.point)[1],
-                         mass = c->number[c->m->node_mass_at + a],
-                         of_pairs = h * h * sqrt(dot(rate + DIM * a, rate + DIM * a)),
-                         swing = swing_of_node(c, h, a, of_pairs, fastest);
-            if (!(swing > SMALL_SWING * tolerated(c) * fastest)) continue;
-            const double of_v = of_pairs * sqrt(of_pairs / swing);
-            const double q = node_error(c, &scales, 0, a, h * of_pairs, mass, all),
-                         v = node_error(c, &scales, 1, a, of_v, mass, all);
-            largest = fmax(largest, hm_hypot(fmax(0.0, q), fmax(0.0, v)));
-        }
+    EACH_FREE_NODE(c, node) {
+        const int32_t a = node.a;
+        const double fastest = (c->m->node_kind[a] ? scales.direction : scales.point)[1],
+                     mass = c->number[c->m->node_mass_at + a],
+                     of_pairs = h * h * sqrt(dot(rate + DIM * a, rate + DIM * a)),
+                     swing = swing_of_node(c, h, a, of_pairs, fastest);
+        if (!(swing > SMALL_SWING * tolerated(c) * fastest)) continue;
+        const double of_v = of_pairs * sqrt(of_pairs / swing);
+        const double q = node_error(c, &scales, 0, node, h * of_pairs, mass),
+                     v = node_error(c, &scales, 1, node, of_v, mass);
+        largest = fmax(largest, hm_hypot(fmax(0.0, q), fmax(0.0, v)));
     }
     return largest;
 }
@@ -267,19 +266,29 @@ static double largest_at_node(const context *c, double h, const double *x)
                                      : difference_at_node(c, h, x);
 }
 
+/* Error of the last cover, of order 6 or 8, over FALL or SETTLING: differences fall from order to
+   order, down to the last one x, and the error falls as much once more. */
+HM_SELDOM static double fallen_difference(context *c, double h, const double *x, double difference)
+{
+    double *before = c->k.estimate + 2 * c->s.n_motion;
+    const double of_before = fmax(motion_error(c, before), motion_error_at_node(c, before, h));
+    fall_once_more(c, h, x, before);
+    return fmax(difference * difference / hm_hypot(difference, of_before),
+                motion_error_at_node(c, before, h));
+}
+
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(context *c, double h, step_error *e)
 {
     const int order = (int)c->s.head[S_ORDER_IN_USE];
     const method *used = method_of(order, c->last.method == EXPLICIT), *pair = METHODS;
-    const double *x = c->k.estimate + (c->last.finest ? 0 : c->s.n_motion);
+    const int is_cover = c->last.method == COVERED && !c->last.finest;
+    const double *x = c->k.estimate + (is_cover ? c->s.n_motion : 0);
     double of_all; /* the difference by the mass norm */
     if (c->last.method == EXPLICIT) of_all = c->last.difference;
     else if (c->last.method == COVERED) of_all = motion_error(c, x);
     else if (!difference_of_pairs(c, h, &of_all)) return 0;
-    const double of_node =
-        largest_at_node(c, h, c->last.method == COMPOSED ? c->k.estimate : x);
-    const double difference = fmax(of_all, of_node);
+    const double of_node = largest_at_node(c, h, x), difference = fmax(of_all, of_node);
     e->is_noise = is_noise(c, used->round_off, difference, h);
     e->is_hidden = of_node > HIDDEN * of_all;
     if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after
@@ -304,18 +313,12 @@ static int estimate_error(context *c, double h, step_error *e)
     const int is_settled = has_strong_dampers(c);
     const int is_slaved = c->last.method != EXPLICIT && c->step.damped && may_step_explicitly(c)
                           && h > longest_of(c, 8);
-    if (c->last.method == COVERED && order > 4) { /* differences fall from order to order, and the
-                                                     error falls as much once more */
-        double *before = c->k.estimate + 2 * c->s.n_motion;
-        const double of_before = fmax(motion_error(c, before), motion_error_at_node(c, before, h));
-        fall_once_more(c, h, x, before);
-        const double next = fmax(difference * difference / hm_hypot(difference, of_before),
-                                 motion_error_at_node(c, before, h));
-        if (is_settled) e->settled = SETTLING * next;
-        else e->mean = fmax(e->mean, FALL * next);
+    if (is_cover && order > 4) {
+        const double fallen = fallen_difference(c, h, x, difference);
+        if (is_settled) e->settled = SETTLING * fallen;
+        else e->mean = fmax(e->mean, FALL * fallen);
     }
-    if (order == 4 && of_node > HIDDEN * of_all)
-        e->mean = fmax(e->mean, SWINGS_ALONE * of_node);
+    if (order == 4 && e->is_hidden) e->mean = fmax(e->mean, SWINGS_ALONE * of_node);
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
     else if (order == 4 && (before_it > 0.0 || is_unilateral(c->m))
              && e->rate_of_all > SUDDEN * before_it)
@@ -324,10 +327,10 @@ static int estimate_error(context *c, double h, step_error *e)
         e->settled = SLAVED * h * h * error_norm(c, c->k.estimate) / fmax(speed_scale(c), 1e-300);
     if (is_slaved && order == 4) e->settled = SLAVED_COVER * difference;
     e->mean *= c->last.growth;
-    if (c->last.method == EXPLICIT && n_motion_switches(c) && c->switches.last > c->t - 1.5 * h)
+    if (c->last.method != EXPLICIT) return 1;
+    if (n_motion_switches(c) && c->switches.last > c->t - SOON_BEHIND * h)
         e->mean = fmax(e->mean, AT_A_JUMP * difference);
-    if (c->last.method == EXPLICIT)
-        e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
+    e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;
 }
 

@@ -57,7 +57,6 @@ static int32_t take_again(context *c, const double *row, double h)
     head[S_EXPLICIT] = row[MESH_EXPLICIT];
     head[S_KNOWN] = fmin(head[S_KNOWN], row[MESH_KNOWN]);
     c->step.careful = row[MESH_CAREFUL] != 0.0;
-    c->last.finest = 0;
     c->step.damped = is_dissipative(c);
     if (row[MESH_ANEW] != 0.0) forget_secants(c);
     if (row[MESH_LOWERED] != 0.0) lower_penalties(c);

@@ -128,7 +128,6 @@ static void step_anew(context *c, piece *x, double h)
     sense(c, 0.0, 0);
     set_laws(c, x->t, 0);
     begin_watched(c, h);
-    c->last.finest = 0;
     x->status = x->take(c, h);
     x->is_anew = 1;
 }
@@ -387,7 +386,6 @@ HM_SELDOM static int32_t find_switch(context *c, piece *x)
 /* Takes a piece from the present state. */
 static int32_t take_to_switch(context *c, piece *x)
 {
-    c->last.finest = 0;
     begin_watched(c, x->length);
     x->status = x->take(c, x->length);
     return find_switch(c, x);

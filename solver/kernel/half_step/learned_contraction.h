@@ -23,16 +23,16 @@
 #define FADING 1.05
 #define TRUSTED_AGAIN 0.05
 
-static inline double *learned(const context *c)
+static inline double *learned(context *c)
 { return c->view.scalars + (is_lean(c) ? I_LEAN_CONTRACTION : I_BEND); }
 
-static void learn_contraction(const context *c, const newton_record *r)
+static void learn_contraction(context *c, const newton_record *r)
 {
     if (r->increments != 2 || r->iteration != 1 || !r->factors.kept || r->factors.taken_over
-        || !(r->begun > 0.0))
+        || !(r->first_increment > 0.0))
         return;
-    const double contraction = r->eta / r->begun,
-                 told = contraction / (is_lean(c) ? c->h * c->h : r->begun / r->size);
+    const double contraction = r->eta / r->first_increment,
+                 told = contraction / (is_lean(c) ? c->h * c->h : r->first_increment / r->size);
     double *known = learned(c);
     if (*known == 0.0 || told < *known || r->eta > ROUND_OFF_SHOWS(c) * r->size)
         *known = fmin(told, MOST_LEARNED);
@@ -40,11 +40,11 @@ static void learn_contraction(const context *c, const newton_record *r)
 }
 
 /* After a step of one increment. */
-static void trust_less(const context *c) { *learned(c) = fmin(FADING * *learned(c), MOST_LEARNED); }
+static void trust_less(context *c) { *learned(c) = fmin(FADING * *learned(c), MOST_LEARNED); }
 
 /* What fresh factors leave of a first increment, over its size; 1 where nothing tells it, and with
    frictions, whose cones follow multipliers from one update to the next. */
-static double known_contraction(const context *c, double first, double size)
+static double known_contraction(context *c, double first, double size)
 {
     const double known = *learned(c);
     if (!(known > 0.0) || (n_frictions(c->m) && !c->view.asleep)) return 1.0;

@@ -195,16 +195,16 @@ static void accept_island(context *c, int parity)
 static void accept_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
-    look_at_all(c);
+    select_all_islands(c);
     if (c->m->n_sampled && !reads_the_step(c))
         judge_sampling(c, parity); /* else what follows it would count as seldom, too */
     for (int32_t part = 0; part < parts; part++) {
-        look_at_part(c, part, parts);
+        select_part(c, part, parts);
         accept_island(c, parity);
     }
     c->step.rows_known = c->step.halves == 2
                          && (!is_unilateral(c->m) || (!c->step.changes_contacts && are_all_off(c)));
-    look_at_all(c);
+    select_all_islands(c);
     if (is_telling(c)) remember_length(c);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
     follow_angles(c, c->k.d);

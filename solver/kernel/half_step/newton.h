@@ -156,9 +156,9 @@ static int rows_are_firm(const context *c)
 
 static void choose_lambda(context *c, const newton_record *r)
 {
-    const int is_short = r->begun < NEARLY_THERE * r->size;
-    const int is_enough =
-        known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
+    const int is_short = r->first_increment < NEARLY_THERE * r->size;
+    const double left = known_contraction(c, r->first_increment, r->size) * r->first_increment;
+    const int is_enough = left <= NEWTON_MARGIN * r->target;
     c->view.scalars[I_PREDICTS_LAMBDA] = r->increments > 0 && c->factors.firm
                                    && (c->view.asleep || !is_unilateral(c->m))
                                    && (is_short || is_enough);
@@ -240,7 +240,8 @@ static void hold_multipliers(context *c, newton_record *r)
 
 static int is_settling(const context *c, const newton_record *r)
 {
-    return r->increments >= 2 && r->theta < (c->step.unsettled < INFINITY ? 1.0 : BEGIN_TO_SETTLE);
+    const double most = c->step.unsettled < INFINITY ? 1.0 : BEGIN_TO_SETTLE;
+    return r->increments >= 2 && r->contraction < most;
 }
 
 /* Newton's iteration with lambda held fixed: tangent, increment, residual; with early updates while
@@ -267,8 +268,8 @@ static int32_t iterate_newton(context *c, newton_record *r)
         status = evaluate_balance(c);
         if (status) return status;
         if (has_converged(c, r)) return HOLONOM_OK;
-        r->held = may_update_early(c, r);
-        if (r->held) hold_multipliers(c, r);
+        r->updated_multipliers = may_update_early(c, r);
+        if (r->updated_multipliers) hold_multipliers(c, r);
         if (r->factors.slow) replace_factors(c, r);
     }
     return outcome_at_limit(c, r);

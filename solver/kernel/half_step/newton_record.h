@@ -11,22 +11,22 @@ typedef struct factor_use {
 } factor_use;
 
 typedef struct newton_record {
-    double theta;            /* contraction of the increments */
-    double seen;             /* likewise, of the last ones that are larger than their round-off */
-    double known;            /* contraction that earlier steps tell of the factors at hand, or 1 */
-    double eta,
-        previous; /* the last increment and the one before it, in the mass norm [kg^1/2 m] */
+    double contraction; /* of the increments */
+    double contraction_above_round_off; /* likewise, of the last ones that are larger */
+    double predicted_contraction; /* that earlier steps tell of the factors at hand, or 1 */
+    double eta, previous;    /* the last increment and the one before it, in the mass norm
+                                [kg^1/2 m] */
     double first;            /* the first one with the factors at hand */
-    double begun;            /* the first one of the step */
+    double first_increment;  /* the first one of the step */
     double size;             /* of d, likewise */
     double target, floor;    /* tolerance and round-off of increments */
-    double energy,
-        noise; /* reference energy, and kinetic energy of the round-off of positions [J] */
+    double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions
+                                [J] */
     int iteration;           /* number of the increment since the multipliers were held, from 0 */
     factor_use factors;
-    int held; /* whether the last increment was followed by an early update of the multipliers */
+    int updated_multipliers; /* whether an early update of them followed the last increment */
     int missed;              /* whether what dependent rows cannot meet together was accepted */
-    int raised;              /* how often the penalty was raised */
+    int penalty_raises;      /* so far */
     int increments, updates; /* Newton increments and Uzawa updates of the step */
 } newton_record;
 

@@ -21,21 +21,22 @@ static double price_of_factors(const context *c)
                  / (1.0 + c->factors.lu->lu_ptr[end[0]] - c->factors.lu->lu_ptr[begin[0]]);
 }
 
-/* Whether fresh factors would spare more increments than they cost. The next increment is theta
-   times the last; from then on fresh factors contract by theta times what is left of the way from
-   where the present ones were made. Not in the place of those taken over, which judge_factors
-   weighs, nor of lean ones, which would lack the same again, and not with dependent rows:
-   iterations that end sooner leave more in what these determine weakly (Bricard at tolerances:
-   2e-14 of the energy in place of 5e-15). */
+/* Whether fresh factors would spare more increments than they cost. The next increment is the
+   contraction times the last; from then on fresh factors contract by it times what is left of the
+   way from where the present ones were made. Not in the place of those taken over, which
+   judge_factors weighs, nor of lean ones, which would lack the same again, and not with dependent
+   rows: iterations that end sooner leave more in what these determine weakly (Bricard at
+   tolerances: 2e-14 of the energy in place of 5e-15). */
 static int would_pay(const context *c, const newton_record *r)
 {
-    const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta,
-                 fresh = r->theta * next / r->first;
+    const double goal = NEWTON_MARGIN * r->target, next = r->contraction * r->eta,
+                 fresh = r->contraction * next / r->first;
     double saved = 0.0, with_kept = next, with_fresh = next;
     if (r->factors.taken_over || is_lean(c) || c->view.scalars[I_DEPENDENT] != 0.0
         || r->iteration < 2 || next <= goal)
         return 0;
-    for (; r->theta * with_kept > goal && saved < 10.0; with_kept *= r->theta) saved += 1.0;
+    for (; r->contraction * with_kept > goal && saved < 10.0; with_kept *= r->contraction)
+        saved += 1.0;
     for (; fresh * with_fresh > goal && saved > 0.0; with_fresh *= fresh) saved -= 1.0;
     return saved > price_of_factors(c);
 }
@@ -46,7 +47,7 @@ static inline int may_keep_factors(const context *c, const newton_record *r)
 {
     if (!r->factors.made || !hm_skips(SKIP_FACTORISATION)) return 0;
     if (c->laws.reads) return 1; /* what laws do tells nothing of the factors */
-    return r->theta < GOOD_CONTRACTION ? !would_pay(c, r)
+    return r->contraction < GOOD_CONTRACTION ? !would_pay(c, r)
                                        : r->iteration > 0 && r->eta < LAST_DIGITS * r->size;
 }
 
@@ -69,29 +70,31 @@ static void choose_factors(context *c)
 
 /* What the last increment tells of the factors: the contraction or, as long as there is no
    increment before it with the same ones, its size against the step's. */
-static void judge_increment(const context *c, newton_record *r)
+static void judge_increment(context *c, newton_record *r)
 {
     r->factors.made = 1;
     if (!r->factors.kept) r->first = r->eta;
-    if (r->increments == 1) r->begun = r->eta;
-    if (r->iteration > 0 && r->previous > 0.0) r->theta = r->eta / r->previous;
-    else if (!r->factors.kept) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
-    r->seen =
-        r->factors.kept && r->eta < LAST_DIGITS * r->size ? fmin(r->seen, r->theta) : r->theta;
+    if (r->increments == 1) r->first_increment = r->eta;
+    if (r->iteration > 0 && r->previous > 0.0) r->contraction = r->eta / r->previous;
+    else if (!r->factors.kept) r->contraction = r->eta < 0.02 * r->size ? 0.04 : 1.0;
+    const int hides = r->factors.kept && r->eta < LAST_DIGITS * r->size;
+    r->contraction_above_round_off =
+        hides ? fmin(r->contraction_above_round_off, r->contraction) : r->contraction;
     learn_contraction(c, r);
-    if (!r->factors.kept) r->known = known_contraction(c, r->first, r->size);
+    if (!r->factors.kept) r->predicted_contraction = known_contraction(c, r->first, r->size);
     r->previous = r->eta;
-    r->factors.slow =
-        is_lean(c) && r->eta > r->floor && r->theta > (r->iteration > 0 ? LEAN_CONTRACTION : 0.5);
+    const double most = r->iteration > 0 ? LEAN_CONTRACTION : 0.5;
+    r->factors.slow = is_lean(c) && r->eta > r->floor && r->contraction > most;
 }
 
-/* Leaves a way that has failed alone for some half steps, and notes how many: each time for twice
-   as many. */
-static inline void pause_way(double *steps, double *wait)
+/* Leaves factors that have failed alone for some half steps, and notes how many: each time for
+   twice as many. */
+static inline void pause_factors(double *steps, double *wait)
 { *steps = *wait = fmin(fmax(2.0 * *wait, 64.0), 4096.0); }
 
 /* Full factors for some half steps. */
-static void pause_lean(double *island) { pause_way(island + I_FULL_STEPS, island + I_FULL_WAIT); }
+static void pause_lean(double *island)
+{ pause_factors(island + I_FULL_STEPS, island + I_FULL_WAIT); }
 
 /* Factors of the half step before serve another of the same length, where they are dear and the
    mechanism moves little: as long as they cost no increment more than fresh ones; else they are
@@ -105,8 +108,8 @@ static int take_factors_over(context *c, newton_record *r)
         || island[I_FRESH_STEPS] > 0.0 || !hm_skips(SKIP_FRESH_FACTORS))
         return 0;
     r->factors.made = r->factors.taken_over = 1;
-    r->known = 1.0;
-    r->theta = 0.9 * GOOD_CONTRACTION;
+    r->predicted_contraction = 1.0;
+    r->contraction = 0.9 * GOOD_CONTRACTION;
     return 1;
 }
 
@@ -119,7 +122,7 @@ static void replace_factors(context *c, newton_record *r)
         c->factors.lu = full_factors(c);
     }
     r->factors.made = r->factors.taken_over = 0;
-    r->theta = 1.0;
+    r->contraction = 1.0;
 }
 
 /* What a half step tells of the factors that it used, for the next one. */
@@ -127,9 +130,9 @@ static void judge_factors(context *c, const newton_record *r, int began_with_old
 {
     double *island = c->view.scalars;
     if (began_with_old && r->increments > c->factors.kept_increments)
-        pause_way(island + I_FRESH_STEPS, island + I_FRESH_WAIT);
+        pause_factors(island + I_FRESH_STEPS, island + I_FRESH_WAIT);
     if (!began_with_old) c->factors.kept_increments = r->increments;
-    c->factors.kept_h = r->factors.made && !r->raised ? c->h : 0.0;
+    c->factors.kept_h = r->factors.made && !r->penalty_raises ? c->h : 0.0;
     c->factors.kept_lu = c->factors.lu;
     if (is_lean(c) && !began_with_old && r->increments > LEAN_INCREMENTS) pause_lean(island);
 }

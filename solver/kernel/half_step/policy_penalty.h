@@ -10,10 +10,10 @@
    that combination has its pole nearby. */
 static int raise_penalty(context *c, newton_record *r)
 {
-    if (r->raised >= 2) return 0;
-    r->raised += 1;
+    if (r->penalty_raises >= 2) return 0;
+    r->penalty_raises += 1;
     r->factors.made = 0;
-    r->theta = 1.0;
+    r->contraction = 1.0;
     EACH_ROW(c, i) c->k.epsilon[i] *= 1e-3;
     return 1;
 }
@@ -56,7 +56,7 @@ static int may_have_dependent_rows(const context *c)
    after the second increment or a short first one. See theory 3.4. */
 static int may_update_early(const context *c, const newton_record *r)
 {
-    if (r->theta >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
+    if (r->contraction >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
     const double rows = c->view.scalars[I_DEPENDENT];
     if (rows == ROWS_ARE_INDEPENDENT && is_unilateral(c->m) && !c->step.changes_contacts
         && !c->view.asleep)

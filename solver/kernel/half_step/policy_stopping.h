@@ -56,8 +56,9 @@ static double constraint_defect(const context *c) { return largest_row(c, c->k.p
 static inline double increments_left(const context *c, const newton_record *r)
 {
     const int told = r->iteration > 0 || (r->factors.kept && r->increments > 1);
-    const double shown = told ? r->seen : 1.0;
-    return (told && r->eta > ROUND_OFF_SHOWS(c) * r->size ? shown : fmin(shown, r->known)) * r->eta;
+    const double shown = told ? r->contraction_above_round_off : 1.0;
+    const int is_sure = told && r->eta > ROUND_OFF_SHOWS(c) * r->size;
+    return (is_sure ? shown : fmin(shown, r->predicted_contraction)) * r->eta;
 }
 
 /* What rows may be off by after one increment, of l^2: they were not updated, and a half step that
@@ -91,8 +92,8 @@ static inline double most_left(const context *c, const newton_record *r)
 static int has_converged(const context *c, const newton_record *r)
 {
     const double margin = r->factors.taken_over ? OLD_MARGIN : NEWTON_MARGIN;
-    const int stalled =
-        r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
+    const int stalled = r->iteration > 1 && !r->updated_multipliers && r->contraction > 0.5
+                        && r->eta <= fmax(r->target, r->floor);
     const int is_short = increments_left(c, r) <= margin * r->target && !is_misled(r);
     if (!is_short && !stalled) return 0;
     const double added = residual_energy(c);

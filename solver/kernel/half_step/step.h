@@ -123,7 +123,7 @@ static void prepare_step(context *c, int parity)
    penalty, which multiplies what they miss, is not raised then. */
 static int miss_together(const context *c, newton_record *r)
 {
-    if (c->view.scalars[I_DEPENDENT] != ROWS_CONTRADICT || r->raised || r->missed) return 0;
+    if (c->view.scalars[I_DEPENDENT] != ROWS_CONTRADICT || r->penalty_raises || r->missed) return 0;
     if (!accept_contradiction(c)) return 0;
     r->missed = 1;
     r->updates++;
@@ -173,15 +173,17 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     if (!status && c->view.scalars[I_DEPENDENT] == ROWS_ARE_DEPENDENT) clean_multipliers(c);
     total->increments += r->increments;
     total->updates += r->updates;
-    if (!status && !r->raised) follow_contraction(c->view.scalars, r->increments, updates);
+    if (!status && !r->penalty_raises) follow_contraction(c->view.scalars, r->increments, updates);
     return status;
 }
 
 /* The record of a step that has seen nothing yet. */
 static inline newton_record nothing_seen(const context *c)
 {
-    return (newton_record){
-        .theta = 1.0, .seen = 1.0, .known = 1.0, .floor = round_off_of_places(c)};
+    return (newton_record){.contraction = 1.0,
+                           .contraction_above_round_off = 1.0,
+                           .predicted_contraction = 1.0,
+                           .floor = round_off_of_places(c)};
 }
 
 /* Another try of the step, with new factors. */
@@ -222,9 +224,9 @@ static int32_t solve_island(context *c, int parity, effort *total)
 static inline int32_t n_apart(const context *c)
 { return hm_skips(SKIP_ISLANDS) && !reads_the_step(c) ? c->m->n_islands : 1; }
 
-static inline void look_at_part(context *c, int32_t part, int32_t parts)
+static inline void select_part(context *c, int32_t part, int32_t parts)
 {
-    if (parts > 1) look_at(c, part, part + 1);
+    if (parts > 1) select_islands(c, part, part + 1);
 }
 
 /* One step of all islands, each by itself. The numbers of increments and updates are those of the
@@ -234,11 +236,11 @@ static int32_t solve_step(context *c, int parity)
     const int32_t parts = n_apart(c);
     int32_t status = HOLONOM_OK;
     effort most = {0, 0};
-    look_at_all(c);
+    select_all_islands(c);
     set_weights(c);
     for (int32_t part = 0; part < parts && !status; part++) {
         effort own = {0, 0};
-        look_at_part(c, part, parts);
+        select_part(c, part, parts);
         status = solve_island(c, parity, &own);
         if (status == HOLONOM_NEWTON_DIVERGED && reads_the_step(c) && c->secants.count) {
             forget_secants(c); /* which may be of laws that have changed */
@@ -248,7 +250,7 @@ static int32_t solve_step(context *c, int parity)
         if (own.increments > most.increments) most.increments = own.increments;
         if (own.updates > most.updates) most.updates = own.updates;
     }
-    look_at_all(c);
+    select_all_islands(c);
     c->s.head[S_NEWTON_ITERATIONS] += most.increments;
     c->s.head[S_UZAWA_ITERATIONS] += most.updates;
     return status;

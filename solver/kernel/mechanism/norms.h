@@ -12,41 +12,47 @@ static double mass_norm(const context *c, const double *x)
     return sqrt(sum);
 }
 
-/* Nodes of island i that are free. */
-static inline span free_nodes(const context *c, int32_t i)
-{
-    const int32_t *begin = c->m->island_begin + ISLAND_COLUMNS * i + ISLAND_FREE;
-    return (span){begin[0], begin[ISLAND_COLUMNS]};
-}
-
-static double mass_of_nodes(const context *c, span nodes)
+static double mass_of_nodes(const context *c, int32_t begin, int32_t end)
 {
     double sum = 0.0;
-    for (int32_t a = nodes.begin; a < nodes.end; a++) sum += c->number[c->m->node_mass_at + a];
+    for (int32_t a = begin; a < end; a++) sum += c->number[c->m->node_mass_at + a];
     return sum;
 }
 
-static double mass_of_all(const context *c) { return mass_of_nodes(c, (span){0, c->m->n_free}); }
+static double mass_of_all(const context *c) { return mass_of_nodes(c, 0, c->m->n_free); }
 
-/* By how much errors of island i, in the mass norm, count more than those of all: else heavy ones
-   would hide light ones. */
-static double weight_of_island(const context *c, int32_t i, double all)
+/* Free node a of an island, whose free nodes end at `end` and have the mass `all` together [kg]. */
+typedef struct island_node {
+    int32_t a, end;
+    double all;
+} island_node;
+
+/* The first one of island i. */
+static island_node first_node(const context *c, int32_t i)
 {
-    const double own = mass_of_nodes(c, free_nodes(c, i));
-    return own > 0.0 && c->m->n_islands > 1 ? all / own : 1.0;
+    const int32_t *begin = c->m->island_begin + ISLAND_COLUMNS * i + ISLAND_FREE;
+    return (island_node){begin[0], begin[ISLAND_COLUMNS],
+                         mass_of_nodes(c, begin[0], begin[ISLAND_COLUMNS])};
 }
+
+/* Each free node, island by island: two loops, so that `break` would leave an island alone. */
+#define EACH_FREE_NODE(c, node)                                                                    \
+    for (int32_t island = 0; island < (c)->m->n_islands; island++)                                 \
+        for (island_node node = first_node(c, island); node.a < node.end; node.a++)
+
+/* By how much errors of an island of the mass `own`, in the mass norm, count more than those of
+   all: else heavy ones would hide light ones. */
+static double weight_of_island(const context *c, double own, double all)
+{ return own > 0.0 && c->m->n_islands > 1 ? all / own : 1.0; }
 
 /* Square of the mass norm of an error x (n), in which islands count as in weight_of_island. */
 HM_SELDOM static double norm2_of_islands(const context *c, const double *x)
 {
     const double all = mass_of_all(c);
     double sum = 0.0;
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        const double weight = weight_of_island(c, island, all);
-        const span nodes = free_nodes(c, island);
-        for (int32_t a = nodes.begin; a < nodes.end; a++)
-            sum += weight * c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
-    }
+    EACH_FREE_NODE(c, node)
+        sum += weight_of_island(c, node.all, all) * c->number[c->m->node_mass_at + node.a]
+               * dot(x + DIM * node.a, x + DIM * node.a);
     return sum;
 }
 
@@ -132,15 +138,15 @@ HM_SELDOM static node_scales scales_of_nodes(const context *c, double h)
     return x;
 }
 
-/* Error of a size at node a, of a mass [kg, kg m^2] in an island of the mass `all` [kg], over its
-   scale, without what round-off explains. Newton's iteration ends by the mass norm, so that
-   velocities of light nodes have more round-off. */
-static double node_error(const context *c, const node_scales *x, int of_velocities, int32_t a,
-                         double size, double mass, double all)
+/* Error of a size at a node, of a mass [kg, kg m^2], over its scale, without what round-off
+   explains. Newton's iteration ends by the mass norm, so that velocities of light nodes have more
+   round-off. */
+static double node_error(const context *c, const node_scales *x, int of_velocities,
+                         island_node node, double size, double mass)
 {
-    const int is_direction = c->m->node_kind[a] != 0;
+    const int is_direction = c->m->node_kind[node.a] != 0;
     const double scale = (is_direction ? x->direction : x->point)[of_velocities],
-                 whole = is_direction ? all * hm_square(c->number[c->m->extent_at]) : all;
+                 whole = is_direction ? node.all * hm_square(c->number[c->m->extent_at]) : node.all;
     if (!(mass > 0.0 && scale > 0.0)) return 0.0;
     return NODES_COUNT * (size / scale - x->round_off * sqrt(whole / mass));
 }
@@ -150,15 +156,11 @@ HM_SELDOM static double largest_node_error(const context *c, const node_scales *
                                            int of_velocities, const double *x)
 {
     double largest = 0.0;
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        const span nodes = free_nodes(c, island);
-        const double all = mass_of_nodes(c, nodes);
-        for (int32_t a = nodes.begin; a < nodes.end; a++) {
-            const double size = sqrt(dot(x + DIM * a, x + DIM * a));
-            const double error = node_error(c, scales, of_velocities, a, size,
-                                            c->number[c->m->node_mass_at + a], all);
-            if (!(error <= largest)) largest = error; /* a NaN, too */
-        }
+    EACH_FREE_NODE(c, node) {
+        const double *own = x + DIM * node.a;
+        const double error = node_error(c, scales, of_velocities, node, sqrt(dot(own, own)),
+                                        c->number[c->m->node_mass_at + node.a]);
+        if (!(error <= largest)) largest = error; /* a NaN, too */
     }
     return largest;
 }

@@ -93,12 +93,14 @@ static int32_t take_weighted(context *c, const double *booked, step_result *resu
     return status;
 }
 
-/* Takes all covers of a step of length h, and weighs their ends. */
+/* Takes all covers of a step of length h, and weighs their ends; that of the finest one stands. */
 static int32_t take_covers(context *c, double h, int covers, int halves, double *booked)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
     const size_t losses = sizeof(double) * (size_t)n_composites(c);
     int half = 0;
+    keep_motion(c, h);
+    keep_state(c, c->k.pair_backup);
     begin_halves(c, halves);
     memset(c->k.estimate, 0, sizeof(double) * (size_t)(3 * c->s.n_motion));
     memset(c->k.loss, 0, losses);
@@ -119,32 +121,43 @@ static int32_t take_covers(context *c, double h, int covers, int halves, double 
     return HOLONOM_OK;
 }
 
-/* One internal step: its weighted end, or that of the finest cover, of order 2. A pair that
-   `is_judged` so is one of two covers. With equal steps the finest cover stands, too, where the
-   weighted end cannot be put back; under a tolerance the step is divided. */
-HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged, step_result *result)
+/* What a step of covers is, whose weighted end is not taken. */
+static void stand_as_finest(step_result *result, int covers)
 {
-    const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;
-    double booked[N_WEIGHTED] = {0.0}; /* weighted changes in the ledger */
-    keep_motion(c, h);
+    result->method = COVERED;
+    result->finest = covers;
     result->growth = 1.0;
     result->energy_correction = 0.0;
-    keep_state(c, c->k.pair_backup);
-    int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), booked);
+}
+
+/* A pair that no pair before it judges: the finer one of two covers, whose weighted end tells its
+   error. */
+HM_SELDOM static int32_t judged_pair(context *c, double h, step_result *result)
+{
+    double unused[N_WEIGHTED] = {0.0};
+    stand_as_finest(result, 2);
+    const int32_t status = take_covers(c, h, 2, 2, unused);
+    if (!status) add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
+    c->s.head[S_LAST_LENGTH] = 0.5 * h; /* of the second pair */
+    return status;
+}
+
+/* The weighted end of covers or, where that would give energy, the end of the finest one, of order
+   2. With equal steps the finest cover stands, too, where the weighted end cannot be put back;
+   under a tolerance the step is divided. */
+HM_SELDOM static int32_t extrapolated_step(context *c, double h, step_result *result)
+{
+    const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
+    double booked[N_WEIGHTED] = {0.0}; /* weighted changes in the ledger */
+    stand_as_finest(result, covers);
+    int32_t status = take_covers(c, h, covers, covers * (covers + 1), booked);
     if (status) return status;
     keep_state(c, c->k.finest);
-    result->method = COVERED;
-    result->finest = 0;
-    status = is_judged ? HOLONOM_OK : take_weighted(c, booked, result);
-    if (!status && !is_judged) return HOLONOM_OK;
-    if (is_judged) {
-        add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
-        c->s.head[S_LAST_LENGTH] = 0.5 * h;
-    } else if (c->tolerance > 0.0 && status != HOLONOM_DAMPING_REVERSED)
-        return status;
+    status = take_weighted(c, booked, result);
+    if (!status) result->finest = 0;
+    if (!status || (c->tolerance > 0.0 && status != HOLONOM_DAMPING_REVERSED)) return status;
     take_state(c, c->k.finest);
-    c->s.head[S_AS_PAIRS] += !is_judged;
-    result->finest = covers;
+    c->s.head[S_AS_PAIRS] += 1.0;
     return HOLONOM_OK;
 }
 

@@ -17,14 +17,14 @@ typedef struct method {
     double solutions;  /* half steps in it, or stages */
 } method;
 
-/* The rates of explicit ones are of a spring that swings, their errors between those of all
-   scenes. */
+/* The rates of explicit ones are of a spring that swings; their errors are 1.8 times that of a step
+   of one, |b A^p 1 - 1/(p+1)!| by the tableau, 1.4e-4 and 6.4e-8: other motions err by more. */
 static const method METHODS[] = {{COMPOSED, 2, 2.0, 1.0, 1.1e-2, 1e-13, 1.0, 2.0},
                                  {COVERED, 4, 2.0, 4.9, 2.4e-3, 1e-14, 1.0, 6.0},
                                  {COVERED, 6, 4.0, 5.9, 3e-5, 1e-14, 1.5, 12.0},
                                  {COVERED, 8, 6.0, 6.2, 7e-7, 1e-14, 2.0, 20.0},
                                  {EXPLICIT, 5, 4.0, 5.3, 2.5e-4, 1e-14, 2.0, 6.0},
-                                 {EXPLICIT, 8, 7.0, 6.2, 5e-8, 1e-14, 4.0, 12.0}};
+                                 {EXPLICIT, 8, 7.0, 6.2, 1.1e-7, 1e-14, 4.0, 12.0}};
 enum { N_METHODS = sizeof METHODS / sizeof *METHODS };
 
 /* Steps of an order that are explicit, or not; of half steps where only these have the order. */

@@ -31,7 +31,7 @@ static void add_correction(const context *at, double *x)
 /* Lets equations at the state have factors without stiffness where there are any. */
 static void take_unknowns(context *at)
 {
-    look_at_all(at);
+    select_all_islands(at);
     stand_still_as_bodies(at);
     at->step.rows_known = 0;
     if (at->m->n_lean_values) at->factors.lu = lean_factors(at);
@@ -187,7 +187,7 @@ HM_SELDOM static int has_unknown_work(const context *c)
 HM_SELDOM static int make_up(context *c, double excess)
 {
     const double damped = lost_of(c, S_DISSIPATED), rubbed = lost_of(c, S_FRICTION);
-    if (!(fabs(excess) <= damped + rubbed)) return 0;
+    if (!(fabs(excess) <= fmax(damped, rubbed))) return 0; /* no account becomes negative by it */
     book(c, rubbed > damped ? S_FRICTION : S_DISSIPATED, -excess);
     return 1;
 }

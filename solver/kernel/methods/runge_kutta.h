@@ -34,7 +34,7 @@ enum { MOST_PASSES = 8 };
    that each error counts so many times. */
 #define IMPACTS_GROW 10.0
 #define MOST_HELD                                                                                  \
-    3.0 /* steps in a row that could not be put back: then compositions serve for good */
+    3.0 /* steps in a row that could not be put back: then covers serve for good */
 
 /* Whether a model allows explicit steps: put_back brings rows and energy back, and laws tell their
    powers at any moment. */

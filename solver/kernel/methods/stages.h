@@ -52,25 +52,24 @@ HM_SELDOM static double size_of_sum(const context *at, const double *weight, int
     *of_node = 0.0;
     weigh_stages(at, weight, stages, at->k.estimate);
     for (int32_t island = 0; island < at->m->n_islands; island++) {
-        const span nodes = free_nodes(at, island);
-        const double own = mass_of_nodes(at, nodes);
+        const island_node first = first_node(at, island);
         double square[2] = {0.0, 0.0};
-        for (int32_t a = nodes.begin; a < nodes.end; x += components, v += components) {
-            const double mass =
-                (is_director(at, a) ? DIM - 1 : 1) * at->number[at->m->node_mass_at + a];
-            const int32_t node = a;
+        for (island_node node = first, next = first; node.a < node.end;
+             node = next, x += components, v += components) {
+            const double mass = (is_director(at, node.a) ? DIM - 1 : 1)
+                                * at->number[at->m->node_mass_at + node.a];
             double own_square[2] = {0.0, 0.0};
-            a = behind(at, a, &components);
+            next.a = behind(at, node.a, &components);
             for (int k = 0; k < components; k++)
                 own_square[0] += x[k] * x[k], own_square[1] += v[k] * v[k];
             for (int k = 0; k < 2; k++) {
                 const double error =
-                    node_error(at, &scales, k, node, h * sqrt(own_square[k]), mass, own) / h;
+                    node_error(at, &scales, k, node, h * sqrt(own_square[k]), mass) / h;
                 square[k] += mass * own_square[k];
                 if (!(error <= *of_node)) *of_node = error;
             }
         }
-        const double times = sqrt(weight_of_island(at, island, all));
+        const double times = sqrt(weight_of_island(at, first.all, all));
         const double size = relative_size(at, times * sqrt(square[0]), times * sqrt(square[1]));
         if (!(size <= largest)) largest = size; /* a NaN, too */
     }

@@ -108,6 +108,7 @@ static int32_t take_step(context *c, double h, step_result *result)
 {
     int order = (int)c->s.head[S_ORDER_IN_USE];
     result->method = UNTAKEN;
+    result->finest = 0;
     if (c->s.head[S_EXPLICIT] != 0.0 && is_explicit_order(order) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         const int32_t status = runge_kutta_step(c, h, result);
@@ -120,8 +121,8 @@ static int32_t take_step(context *c, double h, step_result *result)
     const int is_judged = c->tolerance > 0.0;
     const int is_first =
         c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
-    if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1, result);
-    if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0, result);
+    if (order == 2 && is_judged && is_first) return judged_pair(c, h, result);
+    if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, result);
     return composed_step(c, h, order, result);
 }
 

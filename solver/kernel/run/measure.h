@@ -51,13 +51,13 @@ static void mean_forces(const context *c, const hm_measured *y)
 }
 
 /* Whether the state tells forces better than means do, which are of order 2 whatever the order of
-   the motion is. With equal steps means stand: they are what acts in steps that may be longer than
-   what swings; so they do where steps went over contacts. Explicit steps have solved for them, but
-   before a jump. */
+   the motion is. With equal steps of order 2 means stand: they are what acts in steps that may be
+   longer than what swings; so they do where steps went over contacts. Explicit steps have solved
+   for them, but before a jump. */
 static int tells_forces(const context *c)
 {
     const holonom_model *m = c->m;
-    return (m->n_rows || m->n_driven) && c->tolerance > 0.0
+    return (m->n_rows || m->n_driven) && (c->tolerance > 0.0 || c->s.head[S_ORDER_IN_USE] > 2.0)
            && !(is_unilateral(m) && (c->s.head[S_UNSETTLED] != 0.0 || has_shares(c)))
            && (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
 }

@@ -66,7 +66,7 @@ static void judge_rows(const context *c, double *mu)
     stand_still_as_bodies(&rows);
     const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);
     for (int32_t island = 0; island < m->n_islands; island++) {
-        look_at(&rows, island, island + 1);
+        select_islands(&rows, island, island + 1);
         const double left = fails ? 1.0 : left_by_updates(&rows);
         if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows))) {
             rows.view.scalars[I_DEPENDENT] = ROWS_ARE_DEPENDENT;

@@ -58,7 +58,6 @@ def _unbalanced(speed: float, offset: float, inertia: float) -> System:
         name=f"unbalanced_rotor_{speed:g}", kind="rotors",
         origin="closed form: even turning, force m e w^2",
         scene=text, stop=2.0, right=right, internal_step=0.2 / speed,
-        fails={"order 4": 48},
     )  # fmt: skip
 
 
