@@ -25,9 +25,11 @@ if TYPE_CHECKING:
 
 ROOM = 2**16
 """Internal steps that a communication step may have."""
-PARTS = ("dim", "n_free", "n_driven", "n_rows", "n_contacts", "n_frictions", "n_islands")
+PARTS = (
+    "dim", "n_free", "n_driven", "n_rows", "n_contacts", "n_frictions", "n_islands", "n_switches",
+)  # fmt: skip
 """Sizes of a model that must be those of the recorded one."""
-LIMITS = {"explicit": 1, "careful": 1, "put_back": 1}
+LIMITS = {"explicit": 1, "careful": 1, "anew": 1, "put_back": 1}
 LIMITS |= dict.fromkeys(("lowered", "projected", "started"), 100)
 LIMITS |= {"taken": len(MESH_TAKEN) - 1, "end": len(MESH_ENDS) - 1, "order": 8}
 """Largest values of columns that are whole numbers."""
@@ -41,6 +43,9 @@ class Mesh:
     """ndarray, shape (n,): communication points [s], with those of jumps of inputs."""
     steps: NDArray[np.float64]
     """ndarray, shape (m, len(columns)): one row for each internal step, by `columns`."""
+    sides: NDArray[np.float64]
+    """ndarray, shape (m, s): in each internal step the side on which each of the s conditions and
+    kinks of formulas is, a sign or a whole number; in the order of ``holonom info``."""
     ends: NDArray[np.int64]
     """ndarray, shape (n,): number of rows up to each communication point."""
     settings: Mapping[str, float | str | bool]
@@ -56,16 +61,22 @@ class Mesh:
         return self.steps[:, MESH.index(column)]
 
     def __repr__(self) -> str:
-        """Return how many steps and events it has, in a line."""
-        events = int(np.count_nonzero(self["end"] == MESH_ENDS.index("event")))
-        return f"<Mesh: {len(self.steps)} steps, {events} events, to {self.times[-1]:g} s>"
+        """Return how many steps, events of contacts and changes of sides it has, in a line."""
+        events, motion, time = (
+            int(np.count_nonzero(self["end"] == MESH_ENDS.index(name)))
+            for name in ("event", "switch", "time")
+        )
+        return (
+            f"<Mesh: {len(self.steps)} steps, {events} events, {motion + time} switches, "
+            f"to {self.times[-1]:g} s>"
+        )
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write it as an .npz file of NumPy, and return the path."""
         texts = json.dumps({"settings": dict(self.settings), "parts": dict(self.parts)})
         with open(path, "wb") as file:
             np.savez_compressed(
-                file, times=self.times, steps=self.steps, ends=self.ends,
+                file, times=self.times, steps=self.steps, sides=self.sides, ends=self.ends,
                 columns=np.array(MESH), about=np.array(texts),
             )  # fmt: skip
         return Path(path)
@@ -85,8 +96,10 @@ class Mesh:
             with np.load(path, allow_pickle=False) as file:
                 about = json.loads(str(file["about"]))
                 names = tuple(file["columns"].tolist())
-                times, steps, ends = (file[name] for name in ("times", "steps", "ends"))
-                mesh = cls(times, steps, ends, about["settings"], about["parts"])
+                times, steps, sides, ends = (
+                    file[name] for name in ("times", "steps", "sides", "ends")
+                )
+                mesh = cls(times, steps, sides, ends, about["settings"], about["parts"])
         except (ValueError, KeyError, TypeError, zipfile.BadZipFile, EOFError):
             text = f"{os.fspath(path)}: is no mesh of a run; record it again"
             raise OptionError(text) from None
@@ -125,14 +138,22 @@ class Mesh:
         if self.ends[-1:].sum() != len(self.steps) or not (self.steps[:, 1:3] > 0.0).all():
             return "has internal steps of no length, or beyond its end"
         functions = self.parts["n_contacts"] + self.parts["n_frictions"]
-        limits = {**LIMITS, "function": max(functions - 1, 0)}
+        switches = self.parts["n_switches"]
+        if self.sides.shape != (len(self.steps), switches):
+            return "does not have the side of each condition in each step"
+        limits = {**LIMITS, "function": max(functions + switches - 1, 0)}
         for name, most in limits.items():
             column = self[name]
             if (column != np.floor(column)).any() or not (column <= most).all():
                 return f"has a value of {name!r} that no run comes to"
-        located = self["end"] >= MESH_ENDS.index("event")
-        if (self["function"] < np.where(located, 0, -1)).any() or (self["order"] < 2).any():
-            return "has an event without a contact, or a step without an order"
+        ends, function = self["end"], self["function"]
+        by_contacts = (ends == MESH_ENDS.index("event")) | (ends == MESH_ENDS.index("stop"))
+        by_switches = ends >= MESH_ENDS.index("switch")
+        least = np.where(by_switches, functions, np.where(by_contacts, 0, -1))
+        if (function < least).any() or (function[by_contacts] >= functions).any():
+            return "has an event without a contact, or a change of sides without a condition"
+        if (self["order"] < 2).any():
+            return "has a step without an order"
         return ""
 
 
@@ -144,7 +165,8 @@ class Recording:
     """Moves an integrator, and keeps the mesh."""
 
     def __init__(self, integrator: Integrator) -> None:
-        self._integrator, self._memory = integrator, MeshMemory(ROOM)
+        switches = integrator.model.sizes["n_switches"]
+        self._integrator, self._memory = integrator, MeshMemory(ROOM, switches)
         self._rows: list[np.ndarray] = []
         names = [v.name for v in integrator.model.variables if v.kind == "option"]
         self._settings = {name: integrator[name] for name in names}
@@ -166,14 +188,15 @@ class Recording:
                 "internal steps; give a shorter step_size"
             )
             raise OptionError(text)
-        self._rows.append(np.array(self._memory.numbers()).reshape(-1, len(MESH)))
+        self._rows.append(np.array(self._memory.numbers()).reshape(-1, self._memory.width))
 
     def mesh(self, times: Sequence[float]) -> Mesh:
         """Mesh of the steps so far, of a run with these communication points [s]."""
         ends = np.cumsum([0, *(len(rows) for rows in self._rows)])
-        steps = np.concatenate([np.empty((0, len(MESH))), *self._rows])
+        rows = np.concatenate([np.empty((0, self._memory.width)), *self._rows])
         reached = np.array(times[: len(ends)], dtype=float)
-        return Mesh(reached, steps, ends, self._settings, _parts(self._integrator.model))
+        steps, sides = np.split(rows, [len(MESH)], axis=1)
+        return Mesh(reached, steps, sides, ends, self._settings, _parts(self._integrator.model))
 
 
 class Repeating:
@@ -196,12 +219,13 @@ class Repeating:
             raise OptionError(text)
         self._integrator, self._mesh, self._done = integrator, mesh, 0
         most = int(np.diff(mesh.ends).max(initial=1))
-        self._memory = MeshMemory(most, len(integrator.state.block))
+        self._memory = MeshMemory(most, mesh.sides.shape[1], len(integrator.state.block))
         integrator.use_mesh(self._memory)
 
     def advance(self, t: float, step: float) -> None:
         """As `Integrator.advance`, where steps can be taken as in the recorded run."""
         begin, end = self._mesh.ends[self._done : self._done + 2]
-        self._memory.fill(self._mesh.steps[begin:end].ravel().tolist())
+        rows = np.hstack([self._mesh.steps[begin:end], self._mesh.sides[begin:end]])
+        self._memory.fill(rows.ravel().tolist())
         self._done += 1
         self._integrator.advance(t, step)

@@ -196,9 +196,9 @@ def simulate(
         Internal steps of a run of this mechanism, or one that differs in its numbers alone, to be
         repeated: results are smooth functions of parameters and start values, and the same to the
         last bit where these are the same (but for ``solver.*``, which tell of this run). Steps end
-        where contacts change now; if these change in another order, the step fails, and
-        mechanisms whose formulas switch record none. The settings of the solver are those of the
-        recorded run.
+        where contacts change, and conditions of formulas, now; if these change in another order,
+        or in another communication step, the step fails. The settings of the solver are those of
+        the recorded run.
     **options
         Settings of the solver, such as ``tolerance=1e-6``; the internal step is ``internal_step``.
         One of `formulation`, `algorithm`, `multiplier_update`, `xi` and `omega` [rad/s] asks for
@@ -220,7 +220,7 @@ def simulate(
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model)
     by_paper = bool({*PAPER} & options.keys())
-    _check_mesh(model, options, record_mesh, mesh)
+    _check_mesh(options, record_mesh, mesh)
     method = _method(options, inputs or {}) if by_paper else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
@@ -274,16 +274,8 @@ def simulate(
     return reached()
 
 
-def _check_mesh(
-    model: Model, options: Mapping[str, Any], record_mesh: bool, mesh: Mesh | None
-) -> None:
+def _check_mesh(options: Mapping[str, Any], record_mesh: bool, mesh: Mesh | None) -> None:
     """Refuse settings beside a mesh, and a mesh of what takes none."""
-    if record_mesh and model.sizes["n_switches"] > model.sizes["n_kinks"]:
-        message = (
-            "record_mesh: formulas of this mechanism switch (holonom info lists where), and a mesh "
-            "keeps events of contacts alone; leave record_mesh out, or write them without a switch"
-        )
-        raise OptionError(message)
     if record_mesh and mesh:
         message = "record_mesh: a run that repeats a mesh has that one; leave record_mesh out"
         raise OptionError(message)

@@ -71,8 +71,8 @@ enum { HOLONOM_WORK_BETWEEN_LOOKS = 1 << 20 };
 
 enum { HOLONOM_AHEAD = 3 };
 
-/* Internal steps of a communication step, a row of MESH_SIZE numbers each (layout.py): those that
-   are taken, or those to repeat. */
+/* Internal steps of a communication step, a row of MESH_SIZE + n_switches numbers each (layout.py):
+   those that are taken, or those to repeat. */
 typedef struct holonom_mesh {
     double *row;   /* `room` rows, modified where steps are recorded */
     int64_t room, count;
@@ -80,6 +80,8 @@ typedef struct holonom_mesh {
     /* Modified: how often penalties were lowered, and velocities put onto the rows, of located
        contacts and of explicit steps, and when. */
     double ahead[HOLONOM_AHEAD], ahead_of[HOLONOM_AHEAD];
+    double ahead_kept[HOLONOM_AHEAD], ahead_of_kept[HOLONOM_AHEAD]; /* where a piece began */
+    double back_at;  /* modified: time that the last step which was taken back had begun at */
     int32_t is_full; /* modified: whether there was no room for a row */
 } holonom_mesh;
 

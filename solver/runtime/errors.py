@@ -84,6 +84,7 @@ class Status(IntEnum):
     MESH_STEPPED = 21  # the recorded run has steps whose contacts change without being located
     LAW_SWITCHES = 22  # a law changes sides more often in a communication step than it may
     SIGNAL_JUMPS = 23  # the value of a driver or constraint jumps
+    MESH_SWITCHES = 24  # a law changes sides in another order than in the recorded run
 
 
 def is_double(value: object) -> bool:

@@ -35,18 +35,24 @@ def takes_signals(caught: list[BaseException]) -> Iterator[int]:
 
 
 class MeshMemory(ctypes.Structure):
-    """``holonom_mesh``: internal steps of a communication step, taken or to be repeated."""
+    """``holonom_mesh``: internal steps of a communication step, taken or to be repeated.
+
+    A step has the numbers of `MESH`, and one for each switch of the model.
+    """
 
     _fields_ = [
         ("_row", ctypes.c_void_p), ("_room", ctypes.c_int64), ("_count", ctypes.c_int64),
         ("_start", ctypes.c_void_p), ("_ahead", ctypes.c_double * 3),
-        ("_ahead_of", ctypes.c_double * 3), ("_is_full", ctypes.c_int32),
+        ("_ahead_of", ctypes.c_double * 3), ("_ahead_kept", ctypes.c_double * 3),
+        ("_ahead_of_kept", ctypes.c_double * 3), ("_back_at", ctypes.c_double),
+        ("_is_full", ctypes.c_int32),
     ]  # fmt: skip
 
-    def __init__(self, room: int, state: int = 0) -> None:
+    def __init__(self, room: int, switches: int, state: int = 0) -> None:
         """Take room for so many steps and, to repeat them, for a state of so many numbers."""
         super().__init__()
-        self._rows = (ctypes.c_double * (room * len(MESH)))()
+        self.width = len(MESH) + switches
+        self._rows = (ctypes.c_double * (room * self.width))()
         self._state = (ctypes.c_double * state)()
         self._row, self._room = ctypes.addressof(self._rows), room
         self._start = ctypes.addressof(self._state) if state else None
@@ -55,11 +61,12 @@ class MeshMemory(ctypes.Structure):
         """Forget the steps of before."""
         self._count = self._is_full = 0
         self._ahead_of[:] = [math.nan] * 3
+        self._back_at = math.nan
 
     def fill(self, numbers: Sequence[float]) -> None:
         """Take the steps to repeat, one after the other."""
         self._rows[: len(numbers)] = numbers
-        self._count = len(numbers) // len(MESH)
+        self._count = len(numbers) // self.width
 
     @property
     def is_full(self) -> bool:
@@ -68,7 +75,7 @@ class MeshMemory(ctypes.Structure):
 
     def numbers(self) -> list[float]:
         """Numbers of the steps that were taken, one after the other."""
-        return self._rows[: self._count * len(MESH)]
+        return self._rows[: self._count * self.width]
 
 
 class Integrator:

@@ -394,21 +394,26 @@ MESH = (
     "order", "explicit",  # that it was to have, and whether it was to be explicit
     "careful",  # whether smooth frictions had steeper slopes in the tangent
     "known",  # half steps before it that tell its first guess
+    "anew",  # whether it follows a try that was taken back
     "lowered", "projected", "started",  # how often, ahead of it, penalties were lowered, and
     # velocities put onto the rows: of located contacts, and of explicit steps
     "taken",  # how it was taken, `MESH_TAKEN`
     "put_back",  # whether velocities were put back behind it
     "end",  # what ended it, `MESH_ENDS`
-    "function",  # whose event that was: a contact, or the number of contacts and a friction; -1
-    "value",  # of the function of that event
+    "function",  # whose event that was: a contact, a friction behind them, a switch behind these;
+    # of a step of its length a switch that it crosses there and back, or -1
+    "value",  # of the function of that event, of a switch its argument; or the time [s]
+    "side",  # of that switch behind the step
     "modes",  # of contacts and frictions in the step, as one number
 )
-"""Numbers of each internal step in the mesh of a run, see mesh.h."""
+"""Numbers of each internal step in the mesh of a run, ahead of the sides of switches in it; see
+mesh.h."""
 MESH_TAKEN = ("pairs", "cover", "finest", "explicit", "short", "stepped")
 """How an internal step was taken: by pairs of half steps, a weighted cover, the finest cover alone,
 explicitly, by Taylor's series, or with contacts that change without being located."""
-MESH_ENDS = ("length", "event", "stop")
-"""What ended it: its length, an event of contacts, a slip in space that stops."""
+MESH_ENDS = ("length", "event", "stop", "switch", "time")
+"""What ended it: its length, an event of contacts, a slip in space that stops, a switch of the
+motion, or one of the time."""
 
 MOTION = {
     "q": "n",  # coordinates [m]

@@ -355,3 +355,35 @@ def test_a_rod_on_a_ball_joint_is_a_spherical_pendulum(steps: str, angle: float)
         assert np.abs(spins).max() < 1e-6
         work.append(needed)
     assert work[0] < 3.0 * work[1]
+
+
+POINT = """
+name = "point"
+dimension = 2
+[parameters]
+m = { value = 1.3 }
+[points]
+A = { position = [-0.5, 0], velocity = [1, 0], mass = "m" }
+[forces]
+f = { type = "force", point = "A", value = ["-A.x", "0.5"] }
+"""
+
+
+@pytest.mark.parametrize(
+    "settings", [{}, {"tolerance": 1e-6}, {"tolerance": 1e-6, "method": "fastest"}], ids=str
+)
+def test_a_point_alone_has_no_angular_momentum_to_keep(settings: dict[str, float | str]) -> None:
+    """About itself, also where its mass times its place over its mass is not its place.
+
+    It swings about x = 0 with omega = 1/sqrt(m), and is pushed up with 0.5/m.
+    """
+    model = solver.assemble(solver.loads(POINT))
+    for mass in np.linspace(1.2, 1.4, 41):
+        run = solver.simulate(
+            model, stop_time=1.0, step_size=0.25, parameters={"m": mass}, **settings
+        )
+        omega = 1.0 / math.sqrt(mass)
+        speed = 0.5 * omega * math.sin(omega) + math.cos(omega)
+        error = 3.0 * float(settings.get("tolerance", 1e-4))
+        assert run["A.vx"][-1] == pytest.approx(speed, abs=error)
+        assert run["A.vy"][-1] == pytest.approx(0.5 / mass, abs=error)

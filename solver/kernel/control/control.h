@@ -8,7 +8,7 @@
 
 #include "estimate.h"
 #include "stepped.h"
-#include "switch_event.h"
+#include "side_changes.h"
 
 enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
@@ -214,7 +214,7 @@ HM_SELDOM static void bound_across(context *c)
 {
     if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return;
     put_only_velocities_back(c);
-    if (mesh_of(c)) last_row(mesh_of(c))[MESH_PUT_BACK] = 1.0;
+    if (mesh_of(c)) last_row(c)[MESH_PUT_BACK] = 1.0;
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
 }
 

@@ -201,7 +201,10 @@ static int32_t step_piece(context *c, double h)
 }
 
 HM_SELDOM static void undo_piece(context *c, double t, double law_time)
-{ restore_state(c, start_of_piece(c), t, law_time); }
+{
+    restore_state(c, start_of_piece(c), t, law_time);
+    if (c->event.divided) put_ahead_back(c);
+}
 
 /* Finds the first event of a piece of length h from time t, whose functions at both ends are known,
    and leaves the state there; `covered` is its time, h if there is none. */
@@ -330,6 +333,7 @@ HM_SELDOM static int32_t change_modes(context *c)
 HM_SELDOM static int32_t settle(context *c)
 {
     int hits = 0;
+    forget_secants(c);
     int32_t status = hit_all(c, &hits);
     if (!status) status = settle_modes(c);
     if (status == HOLONOM_CONTACT_UNDECIDED) {

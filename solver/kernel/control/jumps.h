@@ -26,6 +26,7 @@ static void start_anew(context *c)
     c->s.head[S_MEAN_TIME] = INFINITY;
     c->s.head[S_HELD] = 0.0;
     forget_halves(c);
+    forget_secants(c);
 }
 
 /* No line leads through means from before and after a jump; outputs at the communication point

@@ -1,8 +1,8 @@
 /* The mesh of a run: how each of its internal steps was taken, and what ended it (repeat.h takes
    them again).
 
-   A row (layout.py, MESH) has what a step was asked for, and what came of it. A step that is taken
-   back leaves no row: the next one begins no later. */
+   A row (layout.py, MESH) has what a step was asked for, what came of it, and the sides of switches
+   in it. A step that is taken back leaves no row: the next one begins no later. */
 #ifndef HOLONOM_MESH_H
 #define HOLONOM_MESH_H
 
@@ -19,6 +19,10 @@ static inline holonom_mesh *mesh_of(const context *c)
 static inline const holonom_mesh *repeated_by(const context *c)
 { return c->mesh && c->mesh->start ? c->mesh : NULL; }
 #endif
+
+/* How many numbers a row has, and its sides (n_switches). */
+static inline int64_t row_size(const context *c) { return MESH_SIZE + c->m->n_switches; }
+static inline const double *sides_of_row(const double *row) { return row + MESH_SIZE; }
 
 /* Number that tells modes of contacts and frictions apart. */
 HM_SELDOM static double modes_of(const context *c)
@@ -39,18 +43,43 @@ HM_SELDOM static void note_ahead(context *c, int what)
     x->ahead_of[what] = c->t;
 }
 
+/* What was done ahead of a step from the state that backups of its start have, and that they bring
+   back. */
+static inline void keep_ahead(const context *c)
+{
+    holonom_mesh *x = mesh_of(c);
+    if (!x) return;
+    memcpy(x->ahead_kept, x->ahead, sizeof x->ahead);
+    memcpy(x->ahead_of_kept, x->ahead_of, sizeof x->ahead_of);
+}
+
+static inline void put_ahead_back(const context *c)
+{
+    holonom_mesh *x = mesh_of(c);
+    if (!x) return;
+    memcpy(x->ahead, x->ahead_kept, sizeof x->ahead);
+    memcpy(x->ahead_of, x->ahead_of_kept, sizeof x->ahead_of);
+}
+
 /* The row of the last step, whose end is at hand. */
-static double *last_row(const holonom_mesh *x) { return x->row + MESH_SIZE * (x->count - 1); }
+static double *last_row(const context *c)
+{ return mesh_of(c)->row + row_size(c) * (mesh_of(c)->count - 1); }
+
+/* Forgets the rows of steps from the present time on, which were taken back. */
+HM_SELDOM static void forget_rows(context *c)
+{
+    while (mesh_of(c)->count && last_row(c)[MESH_TIME] >= c->t) mesh_of(c)->count--;
+}
 
 /* Begins the row of an internal step of length h. */
 HM_SELDOM static void begin_row(context *c, double h)
 {
     holonom_mesh *x = mesh_of(c);
     const double *head = c->s.head;
-    while (x->count && last_row(x)[MESH_TIME] >= c->t) x->count--;
+    forget_rows(c);
     x->is_full |= x->count == x->room;
     if (x->is_full) x->count = x->room - 1;
-    double *row = x->row + MESH_SIZE * x->count;
+    double *row = x->row + row_size(c) * x->count;
     memset(row, 0, sizeof(double) * MESH_SIZE);
     row[MESH_TIME] = c->t;
     row[MESH_LENGTH] = h;
@@ -59,10 +88,12 @@ HM_SELDOM static void begin_row(context *c, double h)
     row[MESH_EXPLICIT] = head[S_EXPLICIT];
     row[MESH_CAREFUL] = c->step.careful;
     row[MESH_KNOWN] = head[S_KNOWN];
+    row[MESH_ANEW] = x->back_at == c->t;
     for (int k = 0; k < HOLONOM_AHEAD; k++)
         row[MESH_LOWERED + k] = x->ahead_of[k] == c->t ? x->ahead[k] : 0.0;
     row[MESH_FUNCTION] = -1.0;
     row[MESH_MODES] = modes_of(c);
+    memcpy(row + MESH_SIZE, c->s.side, sizeof(double) * (size_t)c->m->n_switches);
 }
 
 /* How the last internal step was taken. */
@@ -76,17 +107,27 @@ static int taken_as(const step_result *last)
 HM_SELDOM static void end_row(context *c, int taken)
 {
     holonom_mesh *x = mesh_of(c);
-    x->row[MESH_SIZE * x->count + MESH_TAKEN] = taken;
+    x->row[row_size(c) * x->count + MESH_TAKEN] = taken;
     x->count++;
 }
 
 /* Says what ended the last step: an event function, with the value that is left of it. */
 HM_SELDOM static void say_end(context *c, int end, int32_t function, double value)
 {
-    double *row = last_row(mesh_of(c));
+    double *row = last_row(c);
     row[MESH_END] = end;
     row[MESH_FUNCTION] = function;
     row[MESH_VALUE] = value;
+}
+
+/* Says that switch k, which has changed at the present time, ended the step before, unless contacts
+   or another switch did. */
+HM_SELDOM static void say_switch(context *c, int end, int32_t k, double value)
+{
+    forget_rows(c);
+    if (!mesh_of(c)->count || last_row(c)[MESH_END] != END_LENGTH) return;
+    say_end(c, end, c->m->n_contacts + c->m->n_frictions + k, value);
+    last_row(c)[MESH_SIDE] = end == END_SWITCH ? c->s.side[k] : 0.0;
 }
 
 #endif

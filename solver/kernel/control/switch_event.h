@@ -1,4 +1,4 @@
-/* Steps that end at switches, and sides that change there (theory 8.6).
+/* Steps that end at switches of the motion (theory 8.6).
 
    Within a step all laws are as they are on the sides at its beginning. After it, and wherever it
    has evaluated the laws, one looks whether a switch of the motion is off its side. If so the step
@@ -14,9 +14,8 @@
 #include "stepped.h"
 #include "switches.h"
 
-/* Changes of sides in a communication step, and in turn without a pause; lengths of a step that
-   ends at a switch. */
-enum { MOST_CHANGES = 1000000, MOST_QUICK = 1000, MOST_TRIALS = 200 };
+/* Lengths of a step that ends at a switch. */
+enum { MOST_TRIALS = 200 };
 #define NO_PIECE 1e-12 /* part of a step, within which two places are one */
 /* Places at which an argument that comes near to its level is looked for to turn. */
 enum { MOST_LOOKS = 8 };
@@ -44,6 +43,7 @@ static void begin_watched(context *c, double h)
     sense(c, 0.0, 0);
     set_laws(c, c->t, 1);
     keep_state(c, c->k.switch_backup);
+    keep_ahead(c);
     c->k.watched[0] = c->t + rounding_of_time(c->t, h);
     c->k.watched[1] = c->t + h + rounding_of_time(c->t, h);
     for (int32_t k = 0; k < n_switches(c); k++) {
@@ -116,7 +116,10 @@ HM_SELDOM static void forgive_rounding(context *c, int32_t status)
 }
 
 static void return_to_start(context *c, const piece *x)
-{ restore_state(c, c->k.switch_backup, x->t, x->t); }
+{
+    restore_state(c, c->k.switch_backup, x->t, x->t);
+    put_ahead_back(c);
+}
 
 /* The step of a piece with another length. */
 static void step_anew(context *c, piece *x, double h)
@@ -386,108 +389,6 @@ static int32_t take_to_switch(context *c, piece *x)
     begin_watched(c, x->length);
     x->status = x->take(c, x->length);
     return find_switch(c, x);
-}
-
-/* Signals and their rates (signal1, signal_before) at time t, on the sides that they leave. */
-static void keep_signals(const context *c, double t)
-{
-    signals_at(c, t, c->k.signal1);
-    signal_rates_at(c, t, c->k.signal_before);
-}
-
-/* Begins anew on other sides from time t on. Signals and their rates were those of keep_signals. */
-HM_SELDOM static int32_t begin_on_sides(context *c, double t)
-{
-    signals_at(c, t, c->k.signal_rate);
-    if (have_jumped(c, c->k.signal_rate, c->k.signal1)) return HOLONOM_SIGNAL_JUMPS;
-    seek_stop_anew(c);
-    start_anew(c);
-    c->s.head[S_SWITCHED] += 1.0;
-    c->switches.quick = t - c->switches.last > c->switches.pause ? 0 : c->switches.quick + 1;
-    c->switches.last = t;
-    if (!(c->s.head[S_SWITCHED] < MOST_CHANGES && c->switches.quick < MOST_QUICK))
-        return HOLONOM_LAW_SWITCHES;
-    return jump_with_signals(c, t);
-}
-
-/* Blames a switch that has changed, by its number and 1, for a failure at it. */
-static int32_t blame_switch(context *c, int32_t status, int32_t k)
-{
-    c->switches.which = k;
-    if (status) c->step.at_fault = 1 + k;
-    return status;
-}
-
-/* Changes the sides of switches of the time. Signals whose rates jump take velocities along. */
-HM_SELDOM static int32_t pass_time(context *c, double time)
-{
-    keep_signals(c, time);
-    double *before = c->k.argument_low;
-    memcpy(before, c->s.side, sizeof(double) * (size_t)n_switches(c));
-    settle_sides(c, time, 1);
-    int32_t first = n_switches(c) - 1;
-    for (int32_t k = first; k >= 0; k--)
-        if (before[k] != c->s.side[k]) first = k;
-    return blame_switch(c, begin_on_sides(c, time), first);
-}
-
-/* Changes the sides of the switches that find_switch has ended a step at: their arguments, just
-   behind, are those of the last length tried that was too long. Others change that depend on
-   them. */
-HM_SELDOM static int32_t pass_motion(context *c)
-{
-    const int32_t n = n_switches(c);
-    const double *at_high = c->k.argument_high;
-    int32_t last = 0;
-    keep_signals(c, c->t);
-    sense(c, 0.0, 0);
-    set_laws(c, c->t, 1);
-    for (int32_t k = 0; k < n; k++) {
-        const switch_place *x = switch_of(c, k);
-        const double g = at_high[k], side = c->s.side[k];
-        if (!is_off(c, k, g)) continue;
-        last = k;
-        if (x->kind == SWITCH_LEVEL)
-            c->s.side[k] = g == g                                ? floor(g)
-                           : c->number[x->argument] < side + 0.5 ? side - 1.0
-                                                                 : side + 1.0;
-        else c->s.side[k] = g == g ? (double)((g > 0.0) - (g < 0.0)) : -side;
-    }
-    set_laws(c, c->t, 1);
-    return blame_switch(c, begin_on_sides(c, c->t), last);
-}
-
-/* Changes the sides of the switch at the end of a piece, if it has come there. */
-static int32_t pass_switch(context *c, const piece *x)
-{
-    return x->crossed ? pass_motion(c) : x->stops ? pass_time(c, c->switches.next) : HOLONOM_OK;
-}
-
-/* Shortens a piece, in a communication step of length `step` that goes on for `rest`, to the next
-   switch of the time, which is passed if it is now. */
-HM_SELDOM static int32_t stop_at_switch(context *c, piece *x, double rest, double step)
-{
-    const double t = x->t, round = rounding_of_time(t, step);
-    double stop;
-    if (!n_switches(c)) return HOLONOM_OK;
-    while ((stop = next_stop(c, t, c->laws.start + step)) <= t + round) {
-        const int32_t status = pass_time(c, stop);
-        if (status) return status;
-    }
-    x->stops = stop < t + rest - round && stop <= t + x->length + round;
-    if (x->stops) x->length = stop - t;
-    return HOLONOM_OK;
-}
-
-/* Sides at the end of a communication step that ends where a switch of the time changes. */
-HM_SELDOM static int32_t end_at_switch(context *c, double t, double step)
-{
-    c->t = t;
-    c->switches.next = NAN;
-    const double round = rounding_of_time(t, step);
-    if (next_stop(c, t, t + 2.0 * round) > t + round) return HOLONOM_OK;
-    end_line(c);
-    return pass_time(c, c->switches.next);
 }
 
 #endif

@@ -5,7 +5,8 @@
    g, q. Combinations of such pairs bring g near 0, in as many increments as laws read different
    things (Anderson 1965; Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715-1735): with the q
    orthonormal in the mass norm the increment is g - sum <q_j, g> (q_j + p_j). Pairs serve the next
-   half steps of the same length, too. */
+   half steps of the same length, too, until laws or contacts change or a step is taken back: what
+   tries have shown is not known where a mesh is repeated. */
 #ifndef HOLONOM_SECANTS_H
 #define HOLONOM_SECANTS_H
 

@@ -58,18 +58,21 @@ static int is_loaded(const context *c)
     return loaded;
 }
 
-/* Angular momenta are about this point: the centre of mass of what flies. */
+/* Angular momenta are about this point: the centre of mass of what flies. That of a point alone is
+   the point itself, to the last bit: an arm of round-off would have an angular momentum to keep. */
 HM_SELDOM static void find_centre(const context *c, kept_motion *x)
 {
     const holonom_model *m = c->m;
+    const int is_alone = c->view.end[ISLAND_MASS] - c->view.begin[ISLAND_MASS] == 1;
     double sum[DIM] = {0.0}, mass = 0.0;
     EACH(k) x->centre[k] = 0.0;
     if (!x->flies) return;
     for IN_ISLAND(c, e, ISLAND_MASS) {
         const int32_t a = m->mass_node[2 * e], b = m->mass_node[2 * e + 1];
         if (m->node_kind[a]) continue;
-        if (!m->node_kind[b]) mass += c->number[m->mass_at + e];
-        EACH(k) sum[k] += c->number[m->mass_at + e] * c->s.q[DIM * b + k];
+        const double own = is_alone ? 1.0 : c->number[m->mass_at + e];
+        if (!m->node_kind[b]) mass += own;
+        EACH(k) sum[k] += own * c->s.q[DIM * b + k];
     }
     if (mass > 0.0) EACH(k) x->centre[k] = sum[k] / mass;
 }

@@ -68,6 +68,8 @@ static void restore_state(context *c, const double *backup, double t, double law
     if (c->m->time_dependent || c->m->sensing)
         set_laws(c, law_time, 0); /* the work of what they did is undone too */
     c->t = t;
+    forget_secants(c);
+    if (mesh_of(c)) mesh_of(c)->back_at = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
     c->s.head[S_AS_PAIRS] = as_pairs;
@@ -150,6 +152,7 @@ HM_OFTEN void lower_penalties(context *c)
 static void keep_start(context *c)
 {
     keep_state(c, c->k.event_backup);
+    keep_ahead(c);
     c->event.divided = 1;
 }
 

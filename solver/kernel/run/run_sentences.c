@@ -73,6 +73,9 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_MESH_METHODS:
         return "a step cannot be taken as in the run whose mesh is repeated; change its numbers by "
                "less, or record a mesh with these";
+    case HOLONOM_MESH_SWITCHES:
+        return "it changes in another order, or in another communication step, than in the run "
+               "whose mesh is repeated; change its numbers by less, or record a mesh with these";
     case HOLONOM_MESH_STEPPED:
         return "contacts of the run whose mesh is repeated change at the ends of half steps, and "
                "no event is located (solver.stepped is 1); "
@@ -242,7 +245,7 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
                   n_rows = (int32_t)f->header->n_rows;
     if (lacks_solution(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
-    if (status == HOLONOM_LAW_SWITCHES || status == HOLONOM_SIGNAL_JUMPS)
+    if (status >= HOLONOM_LAW_SWITCHES)
         hm_say(text, "%s: ", f->text + f->switches[fault]);
     else if (status == HOLONOM_BAD_DRIVER)
         say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);

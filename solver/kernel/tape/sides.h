@@ -12,9 +12,9 @@ static inline const switch_place *switch_of(const context *c, int32_t k)
 { return (const switch_place *)(const void *)c->m->switch_table + k; }
 
 /* Kinks of energies that steps end at: those of a tolerance. Slopes of energies are exact across
-   them, and a mesh keeps events of contacts alone. */
+   them. */
 static inline int32_t n_kinks(const context *c)
-{ return c->tolerance > 0.0 && !c->mesh ? c->m->n_kinks : 0; }
+{ return c->tolerance > 0.0 ? c->m->n_kinks : 0; }
 
 /* Switches that steps end at, and of these how many read the motion. */
 static inline int32_t n_switches(const context *c)
