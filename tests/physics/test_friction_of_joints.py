@@ -56,6 +56,19 @@ def test_a_preload_holds_a_pendulum_up_to_its_torque():
     assert np.abs(loose["pin.angle"]).max() > 1e-4
 
 
+@pytest.mark.parametrize("settings", ["tolerance = 1e-6", "order = 4\nstep_size = 0.005"])
+@pytest.mark.parametrize("inertia", ["1e-10", "1e-9", "1e-6"])
+def test_a_tiny_inertia_leaves_the_friction_that_holds_as_it_is(inertia, settings):
+    """Of moments about the pin, T = m g l sin a; pin and friction share none of it."""
+    text = PENDULUM.format(
+        x=math.sin(0.1), y=-math.cos(0.1), friction="{ preload = 1.0, radius = 0.1 }"
+    )
+    text = text.replace("order = 4\nstep_size = 0.005", settings).replace("1e-9", inertia)
+    held = solver.simulate(solver.loads(text), stop_time=0.1)
+    assert held["pin.friction"][-1] == pytest.approx(9.81 * math.sin(0.1), rel=1e-6)
+    assert held["pin.force.y"][-1] == pytest.approx(9.81, rel=1e-6)
+
+
 def test_a_sled_stops_where_friction_has_taken_its_energy():
     text = """
 name = "sled"
