@@ -245,7 +245,8 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
                   n_rows = (int32_t)f->header->n_rows;
     if (lacks_solution(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
-    if (status >= HOLONOM_LAW_SWITCHES)
+    if (status == HOLONOM_LAW_SWITCHES || status == HOLONOM_SIGNAL_JUMPS
+        || status == HOLONOM_MESH_SWITCHES)
         hm_say(text, "%s: ", f->text + f->switches[fault]);
     else if (status == HOLONOM_BAD_DRIVER)
         say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
