@@ -47,9 +47,9 @@ typedef struct switch_times {
 
 /* The event at hand: the function that has become 0, or -1; whether event_backup has the start of
    the piece; whether the piece is to be made anew, shorter, since contacts seem to have passed an
-   edge, or friction gave energy (`cuts`); of contacts at rest whether forces as half steps tell
-   them are outside the cones, whether functions are those of what sticks together, and whether
-   these hold no longer. */
+   edge, a gap jumped past its zero, or friction gave energy (`cuts`); of contacts at rest whether
+   forces as half steps tell them are outside the cones, whether functions are those of what sticks
+   together, and whether these hold no longer. */
 typedef struct event_at_hand {
     int32_t function;
     int divided, cuts, outside, together, gives_way;

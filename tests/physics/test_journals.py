@@ -148,3 +148,28 @@ def test_a_slip_past_its_stop_is_an_event_and_no_step_back_in_time():
         run.advance(run.time, 0.04)
     assert run["s.z"] == pytest.approx(-play, abs=1e-9)
     assert number(run, "energy.error") < 1e-9
+
+
+def test_a_collar_stays_before_its_face_where_friction_turns_a_slip_within_a_step():
+    """The shaft's centre is far away: friction turns the slip 500 times faster than steps are.
+
+    The equations of such a step have two solutions, which lengths beside each other tell apart.
+    """
+    play = 0.001
+    content = shaft([0.0, 1.0, 0.0], radius=play, friction=0.5, axial_play=play)
+    content["gravity"] = [0.0, 0.0, 0.0]
+    content["bodies"]["s"] = {
+        "position": [4.0, 0.0, 0.0], "mass": 1.447855042485633,
+        "inertia": [0.010830094132255474, 0.012158592556753223, 0.012571922671187043],
+        "velocity": [-0.9495837050628086, -0.17594329321515412, -0.4991919466346082],
+        "angular_velocity": [0.6131984621912168, 0.03253040108284222, -0.9146608954893423],
+    }  # fmt: skip
+    content["contacts"]["b"] |= {
+        "position": [16.0, 0.0, 0.0], "pin_radius": 0.0, "collar_radius": 0.08, "restitution": 0.0,
+    }  # fmt: skip
+    content["solver"] = {"step_size": 0.02621, "rest_time": 1.0}
+    run = Integrator(solver.assemble(solver.loads(json.dumps(content), format="json")), log=print)
+    for _ in range(20):
+        run.advance(run.time, 0.02)
+        assert run["b.gap"] > -1e-10
+    assert number(run, "energy.error") < 1e-12

@@ -463,6 +463,18 @@ static void forget_asleep(const context *c, event_values x)
     }
 }
 
+/* Whether a gap lies behind its zero where the search of an event has ended. The equations of a
+   step may have two solutions, as where friction turns a slip within far less than the step; if
+   those of lengths beside each other differ, no length has the gap closed. */
+static int gap_has_jumped(const context *c)
+{
+    const event_values at = values_at(c, AT_TRIAL);
+    if (c->event.function < 0) return 0;
+    EACH_CONTACT(c, i)
+        if (!is_closed(c, i) && at.value[i] < -gap_tolerance(c)) return 1;
+    return 0;
+}
+
 /* Cuts a piece of length h from time t, whose step has just been made, at its first event;
    `covered` is the length that it then has. */
 static int32_t cut_piece(context *c, double t, double law_time, double h, double *covered)
@@ -494,7 +506,7 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     } else if (asks_for_far(c, reach)) {
         look_far(c, reach, high.value, high.rate);
     }
-    c->event.cuts = !status && !friction_takes_energy(c);
+    c->event.cuts = !status && (gap_has_jumped(c) || !friction_takes_energy(c));
     return c->event.cuts ? HOLONOM_CONTACT_UNDECIDED : status;
 }
 
