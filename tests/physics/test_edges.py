@@ -107,3 +107,23 @@ def test_under_a_tolerance_it_does_so_within_ten_times_that(tolerance):
     content["solver"] = {"tolerance": tolerance}
     wanted = parabola(-0.105, 2.0, 0.0, 0.3)
     assert flight(content, 1e-4) == pytest.approx(wanted, abs=10.0 * tolerance)
+
+
+@pytest.mark.parametrize("rim", [20.0, 200.0])
+@pytest.mark.parametrize("h", [0.02, 0.013, 0.007, 0.004])
+@pytest.mark.parametrize("dim", [2, 3])
+def test_a_slow_ball_does_so_beside_a_flywheel_whose_rim_is_fast(dim, h, rim):
+    # 3e-3: as above, a hundredth of a radian of 0.3 m/s.
+    begin, speed, hub, turn = 0.215, 0.3, [3.0] * dim, rim / 2.0
+    content = table(dim, 1e-4, begin, speed, 0.0)
+    content["bodies"]["wheel"] = {
+        "position": hub,
+        "mass": 2.0,
+        "inertia": 4.0 if dim == 2 else [2.1, 4.0, 2.1],
+        "angular_velocity": turn if dim == 2 else [0.0, turn, 0.0],
+    }
+    axis = {} if dim == 2 else {"axis": [0.0, 1.0, 0.0]}
+    bearing = {"type": "revolute", "bodies": ["ground", "wheel"], "position": hub} | axis
+    content["joints"] = {"bearing": bearing}
+    content["solver"] = {"step_size": h, "order": 2}
+    assert flight(content, 1e-4) == pytest.approx(parabola(begin, speed, 0.0, 0.3), abs=3e-3)

@@ -277,10 +277,12 @@ static void repeat_shorter(context *c, const piece *x, double law_time)
    pass an edge: it would be mirrored, however short the piece. */
 HM_SELDOM static int32_t forget_rates_across(context *c)
 {
-    const double most = 0.5 * ACROSS_EDGE * fastest_node(c);
     int moves = 0;
     evaluate_state(c);
-    EACH_CONTACT(c, i) moves |= is_closed(c, i) && fabs(gap_rate(c, i)) > most;
+    EACH_CONTACT(c, i)
+        moves |= is_closed(c, i)
+                 && fabs(gap_rate(c, i)) > fmax(0.5 * ACROSS_EDGE * speed_at_contact(c, i),
+                                                speed_tolerance(c));
     if (!moves) return HOLONOM_OK;
     if (mesh_of(c)) note_ahead(c, MESH_PROJECTED - MESH_LOWERED);
     return project_velocities(c, S_IMPACT);

@@ -7,6 +7,7 @@
 #ifndef HOLONOM_EVENT_H
 #define HOLONOM_EVENT_H
 
+#include "edges.h"
 #include "event_roots.h"
 
 /* A normal force above this part of its mean and of what it was at the start of the piece, and a
@@ -18,70 +19,6 @@
    this many times their own change: two sides may approach each other, and speeds may double in the
    piece. */
 #define SAFE_WAYS 4.0
-
-/* State at the start of the piece at hand. */
-static const double *start_of_piece(const context *c)
-{ return c->event.divided ? c->k.event_backup : c->k.pair_backup; }
-
-/* A step of a closed contact past an edge turns a velocity about the chord between its ends, at any
-   angle, and closes the ledger all the same. What shows it are a rate across the surface, and an
-   impulse that the forces at both ends do not tell, above this part of the speed of the fastest
-   node: on smooth surfaces steps of a usual length leave 1e-2 of it, or less. */
-#define ACROSS_EDGE 0.05
-#define SURELY_SMOOTH 1e-3 /* a smaller part: forces at the end need not be evaluated */
-#define NO_EDGE 100.0      /* a larger one: no edge turns by so much, but a load that jumps may */
-
-/* Multipliers have a part that changes sign from one half step to the next: they tell less than
-   rates do. */
-#define TOLD_BY_FORCES 0.25
-
-/* Speed by which the row of contact i has changed the velocities in a piece of length h beyond what
-   a force does. Multipliers do not tell that of steps too short for them, in which forces do next
-   to nothing. */
-static double speed_beyond(const context *c, int32_t i, double h, double force)
-{
-    const int32_t j = c->m->contact_row[i], row = row_of(c, j);
-    const double *v0 = start_of_piece(c) + (c->s.v - c->s.head);
-    const double per_force = c->number[c->m->row_sigma_at + row];
-    if (c->last.method == EXPLICIT) return fabs(c->s.mean[row] + force) * h * per_force;
-    if (is_telling(c)) {
-        const double halves = fmax(fabs(c->s.mu[0][row] + force), fabs(c->s.mu[1][row] + force));
-        double means = 0.0;
-        for (int32_t k = 0; k < c->step.n_kept_forces; k++)
-            means = fmax(means, fabs(c->k.kept_forces[(int64_t)c->m->n_rows * k + row] + force));
-        return TOLD_BY_FORCES * per_force * fabs(c->h) * fmax(halves, means);
-    }
-    return fabs(gap_rate(c, i) - function_rate(c, j, v0, c->k.signal_rate));
-}
-
-/* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the
-   state, whose functions at its ends are known; under a tolerance errors tell, and cut it. */
-static int passes_edge(const context *c, double h, event_values low, event_values high)
-{
-    if (c->tolerance > 0.0) return 0;
-    const double fastest = fastest_node(c),
-                 most = fmax(ACROSS_EDGE * fastest, speed_tolerance(c));
-    const int is_shared = has_shares(c) || c->event.together || may_have_dependent_rows(c);
-    EACH_CONTACT(c, i) {
-        if (!is_closed(c, i)) continue;
-        if (fabs(gap_rate(c, i)) > most) return 1;
-        if (is_shared) continue;
-        const double beyond = speed_beyond(c, i, h, 0.5 * (low.value[i] + high.value[i]));
-        if (beyond > most && beyond < NO_EDGE * fastest) return 1;
-    }
-    return 0;
-}
-
-/* Whether a piece of length h, at whose start the normal force of closed contact i was `force`,
-   may have ended past an edge of it, likewise; `reach` are SAFE_WAYS of the fastest node. */
-static int is_edge_near(const context *c, int32_t i, double h, double reach, double force,
-                        int is_shared)
-{
-    if (c->tolerance > 0.0) return 0;
-    const double speed = reach / (SAFE_WAYS * h), least = speed_tolerance(c);
-    if (is_shared) return fabs(gap_rate(c, i)) > fmax(ACROSS_EDGE * speed, least);
-    return !is_telling(c) || speed_beyond(c, i, h, force) > fmax(SURELY_SMOOTH * speed, least);
-}
 
 /* Whether multipliers are those of the half steps before. */
 static int forces_stand_still(const context *c)
@@ -163,7 +100,7 @@ static int is_quiet(context *c, double h, double reach, event_values low, event_
             x.value[i] = normal_of(c, i);
             if (!rests && !(mean > 0.0 && x.value[i] > SAFE_NORMAL * fmax(mean, low.value[i])))
                 return 0;
-            if (is_edge_near(c, i, h, reach, low.value[i], rests || is_shared)) return 0;
+            if (is_edge_near(c, i, h, low.value[i], rests || is_shared)) return 0;
         } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
         else c->view.may_fall_asleep |= is_far_enough(c, i, x.value[i]);
     }
@@ -510,35 +447,13 @@ static int32_t cut_piece(context *c, double t, double law_time, double h, double
     return c->event.cuts ? HOLONOM_CONTACT_UNDECIDED : status;
 }
 
-/* Part of the speed of the fastest node by which the rate of a gap jumps past an edge: in a short
-   piece forces change it by some 1e-6 of that. */
-#define JUMP_AT_EDGE 1e-3
-
-/* Whether closed contacts have passed an edge in the short piece that ends here: the rate of their
-   gap has jumped. Longer steps across one fail, however often they are halved. Those whose surface
-   falls away there part; those that run into another one are hit. */
-HM_SELDOM static int part_at_edges(context *c)
-{
-    const double jump = fmax(JUMP_AT_EDGE * fastest_node(c), speed_tolerance(c));
-    int passed = 0;
-    evaluate_state(c);
-    for (int32_t i = 0; i < c->m->n_contacts; i++) {
-        const double change = gap_rate(c, i) - c->k.gap_rates[i];
-        if (!is_closed(c, i) || !(fabs(change) > jump)) continue;
-        passed = 1;
-        blame(c, c->m->contact_row[i]);
-        if (change > 0.0) open_contact(c, i), contact_of(c, i)[C_PARTED] = 1.0;
-    }
-    return passed;
-}
-
 /* Likewise; changes modes there. */
 static int32_t end_piece(context *c, double t, double law_time, double h, double *covered)
 {
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
     int32_t status = cut_piece(c, t, law_time, h, covered);
     if (status) return status;
-    if (*covered == h && c->event.function < 0 && is_short(c, h) && part_at_edges(c)) {
+    if (*covered == h && c->event.function < 0 && is_short(c, h) && part_at_edges(c, h, low)) {
         if (!(c->s.head[S_EVENTS] < c->s.head[S_MAX_EVENTS])) return HOLONOM_TOO_MANY_EVENTS;
         return settle(c);
     }
