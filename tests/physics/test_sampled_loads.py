@@ -158,7 +158,7 @@ def test_under_a_tolerance_loads_read_the_step_and_slow_a_body_as_their_formula_
 
 @pytest.mark.parametrize("tolerance", [1e-8, 1e-9, 1e-10])
 def test_a_charge_that_drifts_in_a_magnetic_field_keeps_a_tight_tolerance(tolerance):
-    """x'' = B y', y'' = -B x' - g: a circle of u/B that drifts with -g/B, u = 1 + g/B at first."""
+    """Of x'' = B y', y'' = -B x' - g: a circle of radius (1 + g/B)/B that drifts with -g/B."""
     field, weight = 20.0, 1.0
     text = """
     name = "charge"
