@@ -23,7 +23,7 @@ enum { MOST_SECANTS = 12 };
     1e-9 /* increment over the step below which laws stay as they were read last: Newton's         \
             iteration ends with them */
 #define READ_OF_TOLERANCE                                                                          \
-    1e-3 /* of a tolerance, likewise: what laws miss has one sign, and adds up over all half steps */
+    1e-3 /* of a tolerance, likewise: what laws miss has one sign, and adds up over half steps */
 
 /* Increment over the step below which laws need not be read again. */
 static inline double read_enough(const context *c)
