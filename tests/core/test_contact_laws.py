@@ -206,6 +206,29 @@ def test_masses_far_apart_and_strong_friction_obey_the_law(laws, seed):
             k += 1 + n
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_one_contact_in_space_has_impulses_whatever_its_friction(laws, seed):
+    """Symmetric, positive W: a contact without slip parts, sticks, or slides against friction."""
+    random = np.random.default_rng(seed)
+    for _ in range(300):
+        A = random.normal(size=(3, 3))
+        W, mu = A @ A.T, 10.0 ** random.uniform(1.5, 3.0)
+        b = random.normal(size=3) * np.sqrt(np.diag(W))
+        failed, p, rate, _ = laws.contacts(W, b, [2], [mu])
+        assert not failed
+        # Defects of 1e-12 of the rates count as none; round-off is that of the sums W p.
+        none = 1e-11 * np.abs(b).max() + 1e-14 * (np.abs(W) @ np.abs(p)).max()
+        assert rate == pytest.approx(b + W @ p, abs=none)
+        assert p[0] >= 0.0
+        assert rate[0] >= -none
+        assert rate[0] <= none or p[0] == 0.0
+        held, slip = float(np.linalg.norm(p[1:])), float(np.linalg.norm(rate[1:]))
+        assert held <= mu * p[0] * (1.0 + 1e-11)
+        if p[0] > 0.0 and slip > 10.0 * none:  # friction is all of it, against the slip
+            most = held * (1e-9 + none / slip)
+            assert p[1:] == pytest.approx(-mu * p[0] * rate[1:] / slip, abs=most)
+
+
 def test_of_several_solutions_the_one_of_least_work_counts(laws):
     """Of Painleve's rod, which may push or part."""
     W = np.array([[1.0, 2.0], [2.0, 5.0]])

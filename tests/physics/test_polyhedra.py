@@ -162,6 +162,80 @@ def test_a_plank_tips_over_the_edge_below_it_as_a_pendulum_does():
     assert ran["c.impacts"] == 0.0
 
 
+OVER = 0.5, 0.1, 2.0
+"""Length, height and mass of a box that slides over an edge."""
+
+
+def over_the_edge(friction: float, begin: float, speed: float, end: float) -> Array:
+    """Place (along, up), turn and its rate of that box: flat, on the edge, in flight.
+
+    On the edge its middle is s ahead, and moves with u = s' + h w/2 along the face of height h.
+    The balances of momentum, along the face and across it, and of angular momentum,
+    N (s + friction h/2) = J w', give the equations below; it leaves the edge where N = 0.
+    """
+    length, high, mass = OVER
+    inertia = mass * (length**2 + high**2) / 12.0
+    tips = -0.5 * friction * high  # the resultant of weight and friction meets the edge
+    held_up = math.sqrt(speed**2 - 2.0 * friction * GRAVITY * (tips - begin))
+    after = 2.0 * (tips - begin) / (speed + held_up)
+
+    def carried(_: float, y: Array) -> float:
+        """Weight less what the motion takes of it, over the mass: N = 0 where it is 0."""
+        return GRAVITY * math.cos(y[2]) - (2.0 * y[1] - 0.5 * high * y[3]) * y[3]
+
+    def slope(t: float, y: Array) -> list[float]:
+        s, u, turn, rate = y
+        passes = u - 0.5 * high * rate
+        arm = s + 0.5 * friction * high
+        normal = carried(t, y) * inertia / (inertia + mass * s * arm)  # over the mass
+        along = s * rate**2 + GRAVITY * math.sin(turn) - friction * normal
+        return [passes, along, rate, mass * normal * arm / inertia]
+
+    carried.terminal = True  # type: ignore[attr-defined]
+    on_it = solve_ivp(
+        slope, (after, end), [tips, held_up, 0.0, 0.0], method="DOP853", events=carried,
+        rtol=1e-12, atol=1e-14,
+    )  # fmt: skip
+    assert on_it.y[0, -1] < 0.5 * length  # before its end comes to the edge
+    (s, u, turn, rate), flight = on_it.y[:, -1], end - on_it.t[-1]
+    c, d = math.cos(turn), math.sin(turn)
+    x, z = s * c + 0.5 * high * d, -s * d + 0.5 * high * c
+    vx, vz = u * c - s * rate * d, -u * d - s * rate * c
+    z += vz * flight - 0.5 * GRAVITY * flight**2
+    return np.array([x + vx * flight, z, turn + rate * flight, rate])
+
+
+@pytest.mark.parametrize(("width", "table"), [(0.2, 1.0), (0.4, 0.2)], ids=["narrow", "wide"])
+@pytest.mark.parametrize(
+    ("friction", "speed", "settings", "error"),
+    [
+        pytest.param(0.0, 1.0, {"order": 4, "h": 5e-3}, 1e-7, id="order 4"),
+        pytest.param(0.3, 1.5, {"order": 4, "h": 5e-3}, 1e-7, id="order 4 and friction"),
+        pytest.param(0.3, 1.5, {"contact_mode": "stepped", "h": 1e-3}, 1e-3, id="stepped"),
+    ],
+)
+def test_a_box_slides_flat_over_an_edge_tips_and_falls_off_it(
+    width, table, friction, speed, settings, error
+):
+    """A narrow one by its edges across that of the table, a wide one by the table's corners."""
+    length, high, mass = OVER
+    sizes = [[length, width, high], [1.0, table, 0.2]]
+    box = cuboid_body(
+        mass, sizes[0], [-0.1, 0, 0.5 * high], Rotation.identity(), velocity=[speed, 0, 0]
+    )
+    block = cuboid_body(1.0, sizes[1], [-0.5, 0, -0.1], Rotation.identity())
+    content = mechanism(
+        "over", 3, bodies={"box": box, "block": block}, joints={"foot": held("block")},
+        contacts={"c": {"type": "box", "bodies": ["box", "block"], "sizes": sizes,
+                        "friction": friction}},
+    )  # fmt: skip
+    ran = run(content, 0.38, **settings)
+    found = [ran["box.x"], ran["box.z"], 2.0 * math.asin(float(ran["box.qy"])), ran["box.wy"]]
+    assert found == pytest.approx(over_the_edge(friction, -0.1, speed, 0.38), abs=error)
+    assert ran["box.y"] == pytest.approx(0.0, abs=1e-9)
+    assert ran["c.force"] == 0.0
+
+
 @BOTH_MODES
 @pytest.mark.parametrize(("share", "tips"), [(0.99, False), (1.01, True)])
 def test_a_stack_tips_where_its_weight_passes_the_edge(mode, share, tips):

@@ -3,7 +3,8 @@
    1. all contacts push and none begins to slide, if that obeys the law;
    2. few contacts with at most one row of slip each: all choices (contact_choices.h);
    3. else Newton's iteration on the projections of Alart and Curnier 1991, after relaxed sweeps
-   over all contacts at once; then with friction that grows from 0.
+   over all contacts at once; then with friction that grows from 0;
+   4. one contact in space that slides: all directions.
 
    Impulses that redundant contacts leave open are shared afterwards (share_impulses.h). */
 #ifndef HOLONOM_CONTACT_SOLVER_H
@@ -13,6 +14,7 @@
 
 #define SOLVED 1e-12          /* defect over the largest rate that counts as none */
 enum { MOST_SWEEPS_FIRST = 60, MOST_ITERATIONS = 60, MOST_IN_SETS = 5, SCATTERED_STARTS = 200 };
+enum { SLIP_DIRECTIONS = 256, DIRECTION_HALVINGS = 60 };
 
 /* Distance (defect) of p from its projection; the largest of it, over the size of rates. With
    `jacobian` its derivatives in weighted rows and columns. */
@@ -198,6 +200,78 @@ HM_SELDOM static int from_pushing(contact_problem *x, const contact_parts *s, do
     return found;
 }
 
+/* Sets p of the only contact, which slides along d with gamma_N = 0: p_N = -b_N/a and p_T = -mu p_N
+   d, a = W_NN - mu W_NT d. The direction d is that of a place on a square, 0 to 4 round it. Values:
+   a, and a times the slip across d, a polynomial in d that is 0 where friction opposes the slip. */
+HM_SELDOM static void slide_along(const contact_problem *x, double place, double value[2])
+{
+    const int32_t k = x->first[0];
+    const int64_t n = x->rows;
+    const double *normal = x->W + k * n + k, *slip = normal + n, *other = slip + n;
+    const double turn = place < 4.0 ? place : 0.0, mu = x->coefficient[0];
+    const double corner = floor(turn), part = turn - corner;
+    const double away = corner == 0.0 || corner == 3.0 ? 1.0 : -1.0, up = corner < 2.0 ? 1.0 : -1.0;
+    const double along = corner == 0.0 || corner == 2.0 ? 1.0 - part : part;
+    const double size = hm_length(2, (const double[]){along, 1.0 - along});
+    const double d[2] = {away * along / size, up * (1.0 - along) / size};
+    const double a = normal[0] - mu * (normal[1] * d[0] + normal[2] * d[1]);
+    const double u[2] = {slip[0] - mu * (slip[1] * d[0] + slip[2] * d[1]),
+                         other[0] - mu * (other[1] * d[0] + other[2] * d[1])};
+    x->p[k] = -x->b[k] / a;
+    for (int32_t c = 0; c < 2; c++) x->p[k + 1 + c] = -mu * x->p[k] * d[c];
+    value[0] = a;
+    value[1] =
+        a * (x->b[k + 1] * d[1] - x->b[k + 2] * d[0]) - x->b[k] * (u[0] * d[1] - u[1] * d[0]);
+}
+
+/* The last place on this way at which a value has the sign that it begins with. */
+HM_SELDOM static double last_alike(const contact_problem *x, int which, double from, double to)
+{
+    double value[2];
+    slide_along(x, from, value);
+    const int is_positive = value[which] > 0.0;
+    for (int32_t halving = 0; halving < DIRECTION_HALVINGS; halving++) {
+        const double middle = 0.5 * (from + to);
+        slide_along(x, middle, value);
+        if ((value[which] > 0.0) == is_positive) from = middle;
+        else to = middle;
+    }
+    return from;
+}
+
+/* Of one contact in space that may slide anywhere, the solution of least work among all
+   directions of slip in which a normal impulse pushes: strong friction leaves Newton's iteration
+   no way to it. */
+HM_SELDOM static int slide_anywhere(const contact_problem *x, const contact_parts *s, double size)
+{
+    if (x->contacts != 1 || x->tangents[0] != 2 || !may_stick(x, 0)) return 0;
+    const int32_t k = x->first[0];
+    if (!(s->weight[k + 1] > 0.0)) return 0;
+    const double step = 4.0 / SLIP_DIRECTIONS;
+    /* Friction multiplies what rounding leaves of gamma_N = 0 by mu. */
+    const double none = SOLVED * size * (1.0 + 1e-3 * s->mu[0] * s->weight[k] / s->weight[k + 1]);
+    double best = INFINITY, *kept = s->columns;
+    for (int32_t i = 0; i < SLIP_DIRECTIONS; i++) {
+        double low = i * step, high = low + step, at_low[2], at_high[2];
+        slide_along(x, low, at_low);
+        slide_along(x, high, at_high);
+        if (!(at_low[0] > 0.0 || at_high[0] > 0.0)) continue;
+        if (!(at_low[0] > 0.0)) low = last_alike(x, 0, high, low);
+        if (!(at_high[0] > 0.0)) high = last_alike(x, 0, low, high);
+        slide_along(x, low, at_low);
+        slide_along(x, high, at_high);
+        if ((at_low[1] > 0.0) == (at_high[1] > 0.0)) continue;
+        slide_along(x, last_alike(x, 1, low, high), at_low);
+        if (!iterate_contacts(x, s, size, 0) && !(project(x, s, NULL) <= none)) continue;
+        contact_rates(x);
+        if (!(work_of_solution(x) < best)) continue;
+        best = work_of_solution(x);
+        memcpy(kept, x->p, sizeof(double) * (size_t)x->rows);
+    }
+    if (best < INFINITY) memcpy(x->p, kept, sizeof(double) * (size_t)x->rows);
+    return best < INFINITY;
+}
+
 /* Takes out what round-off leaves of the law: impulses of contacts that part, and friction beyond
    the cone. */
 HM_SELDOM static void tidy(const contact_problem *x, const contact_parts *s)
@@ -239,6 +313,7 @@ HM_SELDOM static int hm_solve_contacts(contact_problem *x, int wanted)
         found = try_choices(x, &s, size, count_choices(x), wanted);
     for (int32_t i = 0; i < x->contacts; i++) s.mu[i] = x->coefficient[i];
     if (!found && !count) found = from_pushing(x, &s, size, wanted);
+    if (!found && wanted != MOST_WORK) found = slide_anywhere(x, &s, size);
     if (!found && !count && wanted == LEAST_WORK) found = from_anywhere(x, &s, size);
     if (!found) return 1;
     tidy(x, &s);
