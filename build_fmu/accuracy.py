@@ -29,12 +29,15 @@ KINDS = {
     "rad/s": "angular velocities",
     "N": "forces",
     "N.m": "torques",
+    "J": "works and losses",
 }
 """What is compared, by unit."""
 PATH = ("m", "rad")
 STATE = (*PATH, "m/s", "rad/s")
 """What a tolerance is for."""
-NO_PATH = tuple(unit for unit in KINDS if unit not in PATH)
+NO_PATH = ("m/s", "rad/s", "N", "N.m")
+WORKS = ("energy.work", "energy.dissipated")
+"""Outputs in J that are compared, where not 0: `energy.error` shows no error of what is booked."""
 NO_PATH_TIMES = 10.0
 """Times the error of a path that one of velocities and forces may be: it has a larger constant."""
 SHORTER = 0.95
@@ -109,8 +112,12 @@ class Comparison:
         b: Mapping[str, NDArray[np.float64]], units: Mapping[str, str | None], size: float,
     ) -> None:  # fmt: skip
         kept = {name: unit for name, unit in units.items() if not name.startswith(OF_THE_SOLUTION)}
-        names = {unit: [n for n in kept if kept[n] == unit] for unit in KINDS}
-        scales = _scales({unit: [a[n] for n in names[unit]] for unit in KINDS}, names["m"], size)
+        names = {unit: [n for n in kept if kept[n] == unit] for unit in KINDS} | {
+            "J": [name for name in WORKS if name in kept and a[name].any()]
+        }
+        columns = {unit: [a[n] for n in names[unit]] for unit in KINDS}
+        columns["J"] += [a[name] for name in kept if name == "energy.kinetic"]
+        scales = _scales(columns, names["m"], size)
         self.size = scales["m"]
         self.has_contacts = not kept.keys().isdisjoint(LOSSES)
         """With contacts or friction velocities and forces jump: a late jump is off by all of it."""
@@ -256,7 +263,8 @@ def _scales(
     """Return what differences are compared with, by unit.
 
     Speeds and angular velocities count for each other, at the size of the mechanism, and so do
-    forces and torques: where one of them is round-off the other tells how large that is.
+    forces and torques: where one of them is round-off the other tells how large that is. Works
+    and losses are compared with the largest of them and of the kinetic energy.
     """
     largest = {
         unit: max((float(abs(x).max()) for x in found), default=0.0)
@@ -267,7 +275,7 @@ def _scales(
         rows = [x for n, x in zip(places, columns["m"], strict=True) if n.endswith(direction)]
         sides += [float(np.ptp(rows))] if rows else []
     extent = max(size, math.hypot(*sides)) or 1.0
-    scales = {"m": extent, "rad": 1.0}
+    scales = {"m": extent, "rad": 1.0, "J": largest["J"]}
     arm_of_parts = size or extent  # the way of a wheel is no arm
     for straight, turning, arm in (
         ("m/s", "rad/s", arm_of_parts),

@@ -33,6 +33,24 @@ stop_time = 5.0
 step_size = 0.05
 """
 
+SHAKEN = """
+name = "shaken"
+dimension = 2
+gravity = [0, 0]
+[points]
+base = { position = [0, 0], mass = 0.5, velocity = [0.3, 0] }
+load = { position = [1, 0], mass = 1.0 }
+[drivers]
+hand = { type = "position", point = "base", value = ["0.1*sin(3*t)", "0"] }
+[forces]
+s = { type = "spring", points = ["base", "load"], stiffness = 100, free_length = 1 }
+[experiment]
+stop_time = 2.0
+step_size = 0.02
+[solver]
+step_size = 0.02
+"""
+
 ROTOR = """
 name = "rotor"
 dimension = 2
@@ -70,6 +88,32 @@ def test_the_error_of_a_pendulum_is_that_of_elliptic_functions(capsys, order, st
     assert seen["error"] == pytest.approx(error / math.sqrt(5.0), rel=0.2)
     # The difference itself lacks the error of the finer run, 2^-p.
     assert of_kind(seen, "places")["largest"] == pytest.approx((1 - 2.0**-order) * error, rel=0.2)
+
+
+def work_of_a_shaken_base(times):
+    """Spring of 100 N/m between a base of 0.5 kg, driven as 0.1 sin(3 t), and 1 kg at rest [J]."""
+    forced = 0.1 * 100.0 / (100.0 - 9.0)
+    place = forced * (np.sin(3.0 * times) - 0.3 * np.sin(10.0 * times))
+    rate = forced * (3.0 * np.cos(3.0 * times) - 3.0 * np.cos(10.0 * times))
+    base, base_rate = 0.1 * np.sin(3.0 * times), 0.3 * np.cos(3.0 * times)
+    energy = 0.25 * base_rate**2 + 0.5 * rate**2 + 50.0 * (place - base) ** 2
+    return energy - energy[0]
+
+
+@pytest.mark.parametrize("order", [2, 4])
+def test_the_error_of_the_work_of_a_driver_is_shown(capsys, order):
+    """At order 4 `energy.error` is round-off whatever the work is."""
+    fmu = text_fmu(SHAKEN)
+    values = ("--set", f"solver.order={order}")
+    _, seen, _ = checked(capsys, fmu, *values)
+    ours = run_fmu(fmu, settings={"solver.order": order}).values
+    error = abs(ours["energy.work"] - work_of_a_shaken_base(ours["time"])).max()
+    assert error > 1e5 * abs(ours["energy.error"]).max()
+    assert of_kind(seen, "works and losses")["largest"] == pytest.approx(
+        (1 - 2.0**-order) * error, rel=0.2
+    )
+    _, out, _ = run(capsys, "check", fmu, *values)
+    assert ("energy.error does not show its error" in out) == (order > 2)
 
 
 def test_speeds_of_a_wheel_count_over_those_of_its_points_however_far_it_rolls():

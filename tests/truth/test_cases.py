@@ -952,9 +952,10 @@ def _(how: str) -> None:
     assert abs(found["crank.angular_velocity"][-1] - 143.38373137) < bound * 150
 
 
-@right("tree_of_25", "at 1e-7 a second takes at most 1100 stages")
+@right("tree_of_25", "at 1e-7 a second takes at most 1300 stages")
 def _() -> None:
-    # 80 explicit steps of 12 stages did, where errors of order 8 counted half: see theory 8.8.
+    # 80 explicit steps of 12 stages did, where errors of order 8 counted half, and those of light
+    # bodies a fifth: see theory 8.6 and 8.8.
     found = run(
         text_of("tree_of_25"),
         1.0,
@@ -963,7 +964,7 @@ def _() -> None:
         tolerance=1e-7,
         method="fastest",
     )
-    assert found["solver.substeps"].sum() < 1100
+    assert found["solver.substeps"].sum() < 1300
 
 
 # --------------------------------------------------------------------------- contacts, friction

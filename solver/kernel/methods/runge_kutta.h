@@ -27,9 +27,6 @@ enum { MOST_PASSES = 8 };
 #define AIMED_DIFFERENCE                                                                           \
     5e-4 /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked    \
             for more steps */
-/* Of the largest difference of a node, in that of a step, which tells more of light nodes than they
-   err by: with 1 a tree of 25 bodies takes 1.4 times as many stages, with 0.2 1.13 times. */
-#define NODES_OF_STAGES 0.2
 /* Impacts multiply errors of the motion before them; explicit steps have no margin for that, so
    that each error counts so many times. */
 #define IMPACTS_GROW 10.0
@@ -410,7 +407,7 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     c->step.n_kept_forces = at->step.n_kept_forces;
     if (status) return status;
     const double of_all = difference_of_stages(at, x, h, &of_node);
-    result->difference = fmax(of_all, NODES_OF_STAGES * of_node);
+    result->difference = fmax(of_all, of_node);
     if (!(of_all <= LARGEST_DIFFERENCE)) {
         result->shorter =
             fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / of_all, 1.0 / x->order));
