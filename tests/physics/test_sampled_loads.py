@@ -7,6 +7,7 @@ import random
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import solver
@@ -153,6 +154,32 @@ def test_under_a_tolerance_loads_read_the_step_and_slow_a_body_as_their_formula_
     assert run["pin.angle"] - first == pytest.approx(turned, abs=3e-6)
     assert run["pin.angular_velocity"] == pytest.approx(speed * math.exp(-gain), abs=3e-6 * speed)
     assert run["solver.sampling"] == 0.0
+
+
+@pytest.mark.parametrize("tolerance", [1e-8, 1e-9, 1e-10])
+def test_a_charge_that_drifts_in_a_magnetic_field_keeps_a_tight_tolerance(tolerance):
+    """Of x'' = B y', y'' = -B x' - g: a circle of radius (1 + g/B)/B that drifts with -g/B."""
+    field, weight = 20.0, 1.0
+    text = """
+    name = "charge"
+    dimension = 2
+    gravity = [0, -1]
+    [points]
+    A = { position = [0, 0], mass = 1, velocity = [1, 0] }
+    [forces]
+    magnet = { type = "force", point = "A", value = ["20*A.vy", "-20*A.vx"] }
+    """
+    run = solver.simulate(solver.loads(text), stop_time=10.0, step_size=1.0, tolerance=tolerance)
+    drift = -weight / field
+    speed = 1.0 - drift
+    right = {
+        "A.x": drift * run.t + speed / field * np.sin(field * run.t),
+        "A.y": speed / field * (np.cos(field * run.t) - 1.0),
+        "A.vx": drift + speed * np.cos(field * run.t),
+        "A.vy": -speed * np.sin(field * run.t),
+    }
+    for name, value in right.items():  # of a size of 1 m and a speed of 1.1 m/s
+        assert run[name] == pytest.approx(value, rel=0.0, abs=3.0 * tolerance)
 
 
 MOTOR = """

@@ -41,6 +41,8 @@
 #define AT_A_JUMP 1.0
 #define SUDDEN 1.5
 #define SOON_BEHIND 1.5
+/* Round-off of the difference of a pair. */
+#define ROUND_OFF_OF_PAIRS 1e-15
 /* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it
    precesses, the step errs by its spin. */
 #define SPINNING 2.0
@@ -236,6 +238,16 @@ static int is_noise(const context *c, double round_off, double difference, doubl
     return difference <= round_off * (1.0 + largest_reading(c) * shown);
 }
 
+/* Whether round-off explains the difference of the last step, of length h. Of a pair it is h^3
+   times the rate of its accelerations, which has the round-off of places, however short the pair
+   is; dampers, and laws that read the motion, add what velocities have of it. */
+static int shows_noise_alone(const context *c, const method *used, double difference, double h)
+{
+    if (used->kind == COMPOSED && !c->last.finest && !c->m->sensing && !c->step.damped)
+        return difference <= ROUND_OFF_OF_PAIRS * largest_reading(c);
+    return is_noise(c, used->round_off, difference, h);
+}
+
 /* Puts into `before`, the difference before the last one x of a cover of length h, to what x falls
    at each node if it falls as much once more: as sizes, in the first component. How fast
    differences fall tells how far a node turns that swings; its error goes to and fro between place
@@ -289,7 +301,7 @@ static int estimate_error(context *c, double h, step_error *e)
     else if (c->last.method == COVERED) of_all = motion_error(c, x);
     else if (!difference_of_pairs(c, h, &of_all)) return 0;
     const double of_node = largest_at_node(c, h, x), difference = fmax(of_all, of_node);
-    e->is_noise = is_noise(c, used->round_off, difference, h);
+    e->is_noise = shows_noise_alone(c, used, difference, h);
     e->is_hidden = of_node > HIDDEN * of_all;
     if (c->last.finest) { /* the end that was not taken tells the error of the one that was, after
                              so many pairs */

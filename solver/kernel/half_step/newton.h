@@ -264,7 +264,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         judge_increment(c, r);
         c->step.unsettled = is_settling(c, r) ? r->eta / fabs(c->h) : INFINITY;
         if (is_misled(r)) take_back(c), c->secants.has_last = 0;
-        if (r->eta <= READ_ENOUGH * r->size) c->laws.reads = 0;
+        if (r->eta <= fmax(read_enough(c) * r->size, r->floor)) c->laws.reads = 0;
         status = evaluate_balance(c);
         if (status) return status;
         if (has_converged(c, r)) return HOLONOM_OK;

@@ -22,6 +22,15 @@ enum { MOST_SECANTS = 12 };
 #define READ_ENOUGH                                                                                \
     1e-9 /* increment over the step below which laws stay as they were read last: Newton's         \
             iteration ends with them */
+#define READ_OF_TOLERANCE                                                                          \
+    1e-3 /* of a tolerance, likewise: what laws miss has one sign, and adds up over half steps */
+
+/* Increment over the step below which laws need not be read again. */
+static inline double read_enough(const context *c)
+{
+    const double tolerance = hm_tolerance(c->s.head);
+    return tolerance > 0.0 ? fmin(READ_ENOUGH, READ_OF_TOLERANCE * tolerance) : READ_ENOUGH;
+}
 
 /* Product of increments x and y (end_pivot each) of all islands in the mass norm. */
 HM_SELDOM static double product_of_increments(const context *c, const double *x, const double *y)
