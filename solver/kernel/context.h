@@ -75,11 +75,16 @@ typedef struct span {
    quantities of these. */
 enum near_list { NEAR_CONTACTS, NEAR_FRICTIONS, NEAR_ROWS, NEAR_LINKED, NEAR_ACTIVE, NEAR_LISTS };
 
+/* Which islands an internal step moves: all, or those that take covers, or the others, see
+   divided_step. */
+enum chosen_islands { ALL_ISLANDS, COVERED_ISLANDS, COMPOSED_ISLANDS };
+
 /* The islands at hand, one or all: the first and the one behind the last, where they begin and end
    by columns, the scalars of the first, their moving nodes (driven ones belong to the last island),
    and pieces that need not lie side by side: rows (form rows, coincidences, functions, velocity
    rows) and composites. */
 typedef struct island_view {
+    enum chosen_islands chosen;
     int32_t first, last;
     const int32_t *begin, *end;
     double *scalars;
@@ -291,8 +296,28 @@ static inline int take_island(context *c, int32_t i)
     return i < n;
 }
 
-/* Islands, one after the other at hand; all are again at the end, which no break may skip. */
-#define EACH_ISLAND(c, i) for (int32_t i = 0; take_island(c, i); i++)
+static inline int is_chosen(const context *c, int32_t island)
+{
+    return c->view.chosen == ALL_ISLANDS
+           || (c->k.covered[island] != 0.0) == (c->view.chosen == COVERED_ISLANDS);
+}
+
+/* The first one from island i on that is chosen, or the number of islands. */
+static inline int32_t next_chosen(const context *c, int32_t i)
+{
+    while (i < c->m->n_islands && !is_chosen(c, i)) i++;
+    return i;
+}
+
+/* Chosen islands, one after the other at hand; all are again at the end, which no break may
+   skip. */
+#define EACH_ISLAND(c, i)                                                                          \
+    for (int32_t i = next_chosen(c, 0); take_island(c, i); i = next_chosen(c, i + 1))
+
+/* Likewise, but all together where all are chosen. */
+#define EACH_CHOSEN(c, i)                                                                          \
+    for (int32_t i = (c)->view.chosen == ALL_ISLANDS ? 0 : next_chosen(c, 0);                      \
+         (c)->view.chosen == ALL_ISLANDS ? i == 0 : take_island(c, i); i = next_chosen(c, i + 1))
 
 /* Lean or bare: the last two of a model. */
 static inline int is_lean(const context *c) { return c->factors.lu >= &c->m->lean; }
@@ -376,6 +401,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
         c->friction.slides |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     for (int k = 0; k < NEAR_LISTS; k++) c->view.near[k] = NULL;
     c->factors.lu = &m->full;
+    c->view.chosen = ALL_ISLANDS;
     select_islands(c, 0, m->n_islands);
     c->event = (event_at_hand){0};
     c->factors.kept_lu = c->factors.lu;

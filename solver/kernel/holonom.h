@@ -105,6 +105,15 @@ HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers,
                                     double *work, double step, holonom_watch *watch,
                                     holonom_mesh *mesh);
 
+/* How equal steps of an order above 2 are taken, by the present numbers: whether some islands take
+   compositions, and some covers; how many parts take energy out, and the composite of the first. */
+typedef struct holonom_methods {
+    int32_t composed, covered, losses, first;
+} holonom_methods;
+
+void holonom_find_methods(const holonom_model *model, double *numbers, double *state, double *work,
+                          holonom_methods *found);
+
 /* Whether the settings in `state` let some steps of this model be explicit. */
 int32_t holonom_may_be_explicit(const holonom_model *model, double *numbers, double *state,
                                 double *work);

@@ -46,6 +46,7 @@ WORK = {
     "ahead": "n", "ahead_rate": "n",  # coordinates and velocities that are foreseen
     "secants": "sensing * 26 * n_pivots",  # see secants.h
     "free": "n",  # part of the velocities that rows leave free
+    "covered": "n_islands",  # whether each takes covers in the step at hand, see divided_step
     "kept": "n_islands * (4 * (dim + turning) + dim + 6)",  # KEPT_SIZE of kept_motion.h
     "slip": "n_rows * unilateral",  # rates of sliding frictions' rows over the step
     "row_rate": "n_rows", "row_bias": "n_rows",  # and second derivatives at constant velocities

@@ -36,13 +36,61 @@ A = { position = [0, 0.2], mass = 1.0 }
 [contacts]
 floor = { type = "plane", point = "A", axis = [0, 1] }
 """
+BRAKE = """
+[forces.brake]
+type = "damper"
+points = ["ground", "A"]
+at = [3, 0]
+damping = 1.0
+"""
+BRAKED = SWING + BRAKE
+BESIDE = SWING.replace("[joints]", "B = { position = [5, 0], mass = 1.0 }\n[joints]")
+RUBBED = f"""{BESIDE}{BRAKE}
+[contacts.floor]
+type = "plane"
+point = "A"
+position = [0, -9]
+axis = [0, 1]
+friction = 0.3
+smooth_speed = 0.01
+"""
+READ = f"""{BESIDE}{BRAKE}
+[forces.pull]
+type = "force"
+point = "B"
+value = ["A.x", "0"]
+"""
 CHOSEN = "chosen for a relative error of the run of"
 EXPLICIT = "and explicit ones where they are possible"
 CASES = [
     (SWING, {}, f"conserving steps, {CHOSEN} 0.0001"),
     (SWING, {"tolerance": 1e-6}, f"conserving steps, {CHOSEN} 1e-06"),
     (SWING, {"tolerance": 1e-6, "order": 4}, f"conserving steps of order 4, {CHOSEN} 1e-06"),
-    (SWING, {"order": 4}, "conserving steps of order 4, of at most 0.01 s"),
+    (
+        SWING,
+        {"order": 4},
+        "conserving steps of order 4, of at most 0.01 s, by symmetric compositions",
+    ),
+    (
+        BRAKED,
+        {"order": 4},
+        "conserving steps of order 4, of at most 0.01 s, by weighted covers, since 'brake' takes "
+        "energy out",
+    ),
+    (
+        RUBBED,
+        {"order": 6},
+        "conserving steps of order 6, of at most 0.01 s, by weighted covers where 'brake' and "
+        "1 other take energy out or parts touch or rub, elsewhere by symmetric compositions",
+    ),
+    (
+        READ,
+        {"order": 8},
+        "conserving steps of order 8, of at most 0.01 s, by weighted covers, since 'brake' takes "
+        "energy out and formulas read the motion",
+    ),
+    (BRAKED, {"order": 2}, "conserving steps of order 2, of at most 0.01 s"),
+    (BRAKED, {"order": 4, "tolerance": 1e-6}, f"conserving steps of order 4, {CHOSEN} 1e-06"),
     (SWING, {"step_size": 0.002}, "conserving steps of order 2, of at most 0.002 s"),
     (SWING, {"method": "fastest"}, f"conserving steps, {EXPLICIT}, {CHOSEN} 0.0001"),
     (
@@ -58,7 +106,7 @@ CASES = [
     (
         SWING,
         {"method": "fastest", "step_size": 0.01, "order": 8},
-        "conserving steps of order 8, of at most 0.01 s",
+        "conserving steps of order 8, of at most 0.01 s, by symmetric compositions",
     ),
     (KINKED, {"method": "fastest"}, f"conserving steps, {CHOSEN} 0.0001"),
     (BALL, {"method": "fastest"}, f"conserving steps, {EXPLICIT}, {CHOSEN} 0.0001"),

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-TEXT = (Path(__file__).parents[2] / "solver" / "kernel" / "methods" / "step_halving.h").read_text(
+TEXT = (Path(__file__).parents[2] / "solver" / "kernel" / "methods" / "composition.h").read_text(
     "utf-8"
 )
 """Where the kernel has them."""

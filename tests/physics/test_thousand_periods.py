@@ -70,17 +70,26 @@ damping = 0.3
 """
 
 
+READS = BRAKE + '[forces.pull]\ntype = "force"\npoint = "B"\nvalue = ["0.01*A.x", 0]\n'
+
+
 @pytest.mark.parametrize(
-    ("brake", "order", "least", "most"),
-    [("", 4, 0.0, 1e-13), (BRAKE, 2, 0.0, 1e-13), (BRAKE, 4, 2e-3, 4e-3), (BRAKE, 6, 3e-6, 1e-5)],
+    ("beside", "order", "least", "most"),
+    [
+        ("", 4, 0.0, 1e-13),
+        (BRAKE, 2, 0.0, 1e-13),
+        (BRAKE, 4, 0.0, 1e-13),
+        (READS, 4, 2e-3, 4e-3),
+        (READS, 6, 3e-6, 1e-5),
+    ],
 )
-def test_a_damper_in_another_part_lets_energy_creep_between_swings(brake, order, least, most):
+def test_energy_creeps_beside_a_damper_where_a_formula_reads_the_motion(beside, order, least, most):
     """Swings of 1 and 30**0.5 rad/s do not know of each other; the page of settings has figures.
 
     The sum of both energies is kept: what one loses the other one gains.
     """
     names = ["A.x", "A.vx", "A.y", "A.vy"]
-    x, vx, y, vy = ends(SWINGS + brake, names, 100.0, 0.1, order=order, internal_step=0.1).T
+    x, vx, y, vy = ends(SWINGS + beside, names, 100.0, 0.1, order=order, internal_step=0.1).T
     slow, fast = 0.5 * (vx**2 + x**2), 0.5 * (vy**2 + 30.0 * y**2)
     assert slow + fast == pytest.approx(0.5 + 1.35, rel=1e-13)
     assert least <= abs(slow[-1] / 0.5 - 1.0) <= most

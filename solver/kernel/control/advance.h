@@ -184,6 +184,25 @@ HM_SELDOM int32_t holonom_may_be_explicit(const holonom_model *m, double *number
            && allows_explicit(&c);
 }
 
+static void add_loss(holonom_methods *found, int32_t composite)
+{
+    if (!found->losses) found->first = composite;
+    found->losses++;
+}
+
+HM_SELDOM void holonom_find_methods(const holonom_model *m, double *number, double *state,
+                                    double *work, holonom_methods *found)
+{
+    context c;
+    open_context(&c, m, number, state, work);
+    *found = (holonom_methods){0};
+    EACH_ELEMENT(&c, j) if (kind_of(&c, j)->bound(&c, j).damping != 0.0) add_loss(found, j);
+    for (int32_t f = 0; f < n_frictions(m); f++)
+        if (is_smooth(&c, f)) add_loss(found, slip_row(&c, f, 0));
+    found->covered = found->losses > 0;
+    found->composed = !found->covered || divides_islands(&c);
+}
+
 int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work,
                         double step, holonom_watch *watch, holonom_mesh *mesh)
 {

@@ -37,24 +37,32 @@ static void keep_forces(context *c, double time, const double *mu)
            sizeof(double) * (size_t)c->m->n_rows);
 }
 
+/* Means of the islands at hand; those before become the means before. */
+static void average_at_hand(const context *c)
+{
+    const hm_state *s = &c->s;
+    const int32_t first = c->m->n_free, begin = c->view.begin[ISLAND_DRIVEN],
+                  end = c->view.end[ISLAND_DRIVEN];
+    EACH_ROW(c, i) {
+        s->mean_before[i] = s->mean[i];
+        s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
+    }
+    for (int32_t k = DIM * (begin - first); k < DIM * (end - first); k++) {
+        s->driven_mean_before[k] = s->driven_mean[k];
+        s->driven_mean[k] = 0.5 * (s->driven[0][k] + s->driven[1][k]);
+    }
+}
+
 /* mu is constant over a step and has a part that changes sign from step to step: only the mean of
    two neighbours is smooth, and it belongs to the time between them. Two means give the multiplier
    at the output's time. */
 static void average_multipliers(context *c, double time)
 {
     double *head = c->s.head;
-    const hm_state *s = &c->s;
     if (!is_telling(c)) return;
     head[S_MEAN_TIME_BEFORE] = head[S_MEAN_TIME];
     head[S_MEAN_TIME] = time;
-    EACH_ROW(c, i) {
-        s->mean_before[i] = s->mean[i];
-        s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
-    }
-    for (int32_t k = 0; k < DIM * c->m->n_driven; k++) {
-        s->driven_mean_before[k] = s->driven_mean[k];
-        s->driven_mean[k] = 0.5 * (s->driven[0][k] + s->driven[1][k]);
-    }
+    EACH_CHOSEN(c, island) average_at_hand(c);
 }
 
 #endif

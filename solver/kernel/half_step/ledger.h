@@ -199,6 +199,7 @@ static void accept_step(context *c, int parity)
     if (c->m->n_sampled && !reads_the_step(c))
         judge_sampling(c, parity); /* else what follows it would count as seldom, too */
     for (int32_t part = 0; part < parts; part++) {
+        if (!is_chosen(c, part)) continue;
         select_part(c, part, parts);
         accept_island(c, parity);
     }

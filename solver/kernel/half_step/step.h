@@ -229,8 +229,8 @@ static inline void select_part(context *c, int32_t part, int32_t parts)
     if (parts > 1) select_islands(c, part, part + 1);
 }
 
-/* One step of all islands, each by itself. The numbers of increments and updates are those of the
-   island that took most. */
+/* One step of all islands that are chosen, each by itself. The numbers of increments and updates
+   are those of the island that took most. */
 static int32_t solve_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
@@ -240,6 +240,7 @@ static int32_t solve_step(context *c, int parity)
     set_weights(c);
     for (int32_t part = 0; part < parts && !status; part++) {
         effort own = {0, 0};
+        if (!is_chosen(c, part)) continue;
         select_part(c, part, parts);
         status = solve_island(c, parity, &own);
         if (status == HOLONOM_NEWTON_DIVERGED && reads_the_step(c) && c->secants.count) {

@@ -43,19 +43,27 @@ static int move_inputs(const context *c)
     return 0;
 }
 
+static double stored_by_chosen(context *c)
+{
+    double sum = 0.0;
+    EACH_CHOSEN(c, island) sum += stored_energy(c);
+    return sum;
+}
+
 /* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes
-   springs, their stored energy jumps, which is work on the mechanism. */
+   springs, their stored energy jumps, which is work on the mechanism: that of the islands which are
+   chosen is booked. */
 static void set_laws(context *c, double t, int booked)
 {
     const holonom_model *m = c->m;
     const double before =
-        booked && m->variable_potential && m->n_tape_laws ? stored_energy(c) : 0.0;
+        booked && m->variable_potential && m->n_tape_laws ? stored_by_chosen(c) : 0.0;
     load_inputs(c, t);
     c->number[m->time_at] = t;
     if (!m->n_tape_laws) return;
     hm_run_tape(m, c->number, 1);
     if (n_motion_switches(c)) watch_switches(c, t);
-    if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
+    if (booked && m->variable_potential) book(c, S_WORK, stored_by_chosen(c) - before);
 }
 
 /* Looks at switches at a state within a step, on the path of the step. */
@@ -188,11 +196,13 @@ HM_SELDOM static void follow_signals(const context *c, double t, double h, doubl
     }
 }
 
-/* Sets the state's signals, and driven nodes, to signal1 and signal_rate. */
+/* Sets the state's signals, and driven nodes, whose island is the last one, to signal1 and
+   signal_rate. */
 HM_SELDOM static void place_driven(context *c)
 {
     const int32_t first = DIM * c->m->n_free;
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
+    if (!is_chosen(c, c->m->n_islands - 1)) return;
     for (int32_t k = first; k < DIM * c->n_moving; k++) {
         c->s.q[k] = c->k.signal1[k - first];
         c->s.v[k] = c->k.signal_rate[k - first];

@@ -194,10 +194,22 @@ static inline int may_be_deferred(const context *c, int32_t f)
 static inline int is_deferred(const context *c, int32_t f)
 { return c->friction.is_deferred && may_be_deferred(c, f); }
 
+/* Whether a friction at hand is smooth. */
 static int has_smooth(const context *c)
 {
     for (int32_t f = 0; f < n_frictions(c->m); f++)
-        if (is_smooth(c, f)) return 1;
+        if (is_smooth(c, f) && is_at_hand(c, f)) return 1;
+    return 0;
+}
+
+/* Whether contacts or frictions are at hand. */
+static int has_events(const context *c)
+{
+    const int32_t first = c->view.begin[ISLAND_FUNCTION], last = c->view.end[ISLAND_FUNCTION];
+    for (int32_t i = 0; i < n_contacts(c->m); i++)
+        if (c->m->contact_row[i] >= first && c->m->contact_row[i] < last) return 1;
+    for (int32_t f = 0; f < n_frictions(c->m); f++)
+        if (is_at_hand(c, f)) return 1;
     return 0;
 }
 

@@ -30,14 +30,20 @@ static double weight_of(int pairs, int first, int last)
     return weight;
 }
 
-/* Begins the next cover at the start of the step; what predicts half steps stays. */
+/* Lets laws be those at the start of the step; what predicts half steps stays. */
+static void begin_anew(context *c, double t, double law_time)
+{
+    if (c->m->time_dependent) set_laws(c, law_time, 0);
+    c->t = t;
+    c->step.rows_known = 0;
+}
+
+/* Begins the next cover at the start of the step. */
 static void begin_cover(context *c, double t, double law_time)
 {
     go_back(c, c->k.pair_backup);
     memset(c->k.loss, 0, sizeof(double) * (size_t)n_composites(c));
-    if (c->m->time_dependent) set_laws(c, law_time, 0);
-    c->t = t;
-    c->step.rows_known = 0;
+    begin_anew(c, t, law_time);
 }
 
 /* Adds the end of a cover to the weighted changes of the motion (in estimate), ledger and losses;
@@ -85,7 +91,8 @@ static int32_t take_weighted(context *c, const double *booked, step_result *resu
     suspend_sliding(c, 1); /* no friction answers the corrections */
     context at = rows_at_state(c);
     take_unknowns(&at);
-    int32_t status = factorise_here(&at);
+    int32_t status = HOLONOM_OK;
+    EACH_CHOSEN(&at, island) status = status ? status : factorise_here(&at);
     if (!status) status = put_back(c, &at);
     tell_corrections(c, result);
     suspend_sliding(c, 0);
@@ -93,7 +100,11 @@ static int32_t take_weighted(context *c, const double *booked, step_result *resu
     return status;
 }
 
-/* Takes all covers of a step of length h, and weighs their ends; that of the finest one stands. */
+/* Half steps of so many covers. */
+static int halves_of(int covers) { return covers * (covers + 1); }
+
+/* Takes all covers of a step of length h, and weighs their ends; that of the finest one stands. The
+   internal step has so many half steps. */
 static int32_t take_covers(context *c, double h, int covers, int halves, double *booked)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
@@ -144,13 +155,13 @@ HM_SELDOM static int32_t judged_pair(context *c, double h, step_result *result)
 
 /* The weighted end of covers or, where that would give energy, the end of the finest one, of order
    2. With equal steps the finest cover stands, too, where the weighted end cannot be put back;
-   under a tolerance the step is divided. */
-HM_SELDOM static int32_t extrapolated_step(context *c, double h, step_result *result)
+   under a tolerance the step is divided. So many half steps of other islands follow. */
+HM_SELDOM static int32_t extrapolated_step(context *c, double h, int others, step_result *result)
 {
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
     double booked[N_WEIGHTED] = {0.0}; /* weighted changes in the ledger */
     stand_as_finest(result, covers);
-    int32_t status = take_covers(c, h, covers, covers * (covers + 1), booked);
+    int32_t status = take_covers(c, h, covers, halves_of(covers) + others, booked);
     if (status) return status;
     keep_state(c, c->k.finest);
     status = take_weighted(c, booked, result);

@@ -15,7 +15,8 @@ enum { MAX_CORRECTIONS = 8 };
 
 /* Islands, one after the other at hand in both contexts, as EACH_ISLAND. */
 #define EACH_ISLAND_OF_BOTH(c, at, i)                                                              \
-    for (int32_t i = 0; take_island(c, i) & take_island(at, i); i++)
+    for (int32_t i = next_chosen(c, 0); take_island(c, i) & take_island(at, i);                    \
+         i = next_chosen(c, i + 1))
 
 /* Changes of velocities that make up for the rates g in `phi`, as small as can be, or of
    coordinates for rows; added to x. */

@@ -1,35 +1,10 @@
-/* Internal steps of order 2, 4, 6 and 8: compositions of pairs of half steps, weighted covers, or
-   explicit; halving on failure. */
+/* Internal steps of order 2, 4, 6 and 8: compositions of pairs of half steps, weighted covers, both
+   for islands of their own, or explicit; halving on failure. */
 #ifndef HOLONOM_STEP_HALVING_H
 #define HOLONOM_STEP_HALVING_H
 
-#include "extrapolation.h"
+#include "divided_step.h"
 #include "runge_kutta.h"
-
-/* A symmetric composition of pairs with these parts of the step has the order given: each stage
-   conserves by itself. The plain step is not near the identity as h goes to 0 (it reflects the
-   velocity normal to the constraints), the pair is, so that it composes (theory 8.1). Parts beyond
-   the middle repeat the first ones in reverse. Order 4: Suzuki 1990; 6: Kahan and Li 1997, s9odr6a;
-   8: the 15 stages of Suzuki and Umeno 1993. */
-static double stage(int order, int i, int *stages)
-{
-    static const double fourth[] = {0.41449077179437573714, 0.41449077179437573714,
-                                    -0.65796308717750294857};
-    static const double sixth[] = {0.39216144400731413928, 0.33259913678935943860,
-                                   -0.70624617255763935981, 0.082213596293550800230,
-                                   0.79854399093482996340};
-    static const double eighth[] = {0.74167036435061295344822780, -0.40910082580003159399730010,
-                                    0.19075471029623837995387626, -0.57386247111608226665638773,
-                                    0.29906418130365592384446354, 0.33462491824529818378495798,
-                                    0.31529309239676659663205666, -0.79688793935291635401978882};
-    static const double whole[] = {1.0};
-    const double *parts = order == 8 ? eighth : order == 6 ? sixth : order == 4 ? fourth : whole;
-    const int middle = order == 8 ? 7 : order == 6 ? 4 : order == 4 ? 2 : 0;
-    *stages = 2 * middle + 1;
-    return parts[i <= middle ? i : 2 * middle - i];
-}
-
-/* ------------------------------------------------------------------------------- internal steps */
 
 /* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short
    for a moment. Shorter steps do not help rows that may contradict each other, what turns all the
@@ -79,30 +54,6 @@ static void restore_state(context *c, const double *backup, double t, double law
 static void undo_step(context *c, double t, double law_time)
 { restore_state(c, c->k.pair_backup, t, law_time); }
 
-/* A composition of pairs of half steps, of order 2 one pair. */
-static int32_t composed_step(context *c, double h, int order, step_result *result)
-{
-    const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
-    int32_t status = HOLONOM_OK;
-    int stages = 1;
-    result->method = COMPOSED;
-    keep_state(c, c->k.pair_backup);
-    stage(order, 0, &stages);
-    begin_halves(c, 2 * stages);
-    c->step.n_kept_forces = 0;
-    for (int i = 0; i < stages; i++) {
-        const double half = 0.5 * h * stage(order, i, &stages);
-        status = single_step(c, half, 2 * i);
-        if (!status) status = single_step(c, half, 2 * i + 1);
-        if (status) return status;
-        average_multipliers(c, c->t - half);
-        keep_forces(c, c->s.head[S_MEAN_TIME], c->s.mean);
-    }
-    /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
-    return order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated) ? HOLONOM_DAMPING_REVERSED
-                                                                 : HOLONOM_OK;
-}
-
 /* Takes an internal step by the method in use, or by another one where that cannot. */
 static int32_t take_step(context *c, double h, step_result *result)
 {
@@ -122,8 +73,9 @@ static int32_t take_step(context *c, double h, step_result *result)
     const int is_first =
         c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
     if (order == 2 && is_judged && is_first) return judged_pair(c, h, result);
-    if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, result);
-    return composed_step(c, h, order, result);
+    if (order == 2 || !(is_judged || is_dissipative(c))) return composed_step(c, h, order, result);
+    if (!is_judged && divides_islands(c)) return divided_step(c, h, order, result);
+    return extrapolated_step(c, h, 0, result);
 }
 
 /* One internal step of length h. */

@@ -224,8 +224,10 @@ int32_t holonom_assemble(holonom_instance *i)
 
 const char *holonom_steps(holonom_instance *i, int32_t has_explicit)
 {
+    holonom_methods methods;
+    holonom_find_methods(&i->file.model, i->numbers, i->state, i->work, &methods);
     hm_clear(&i->message);
-    hm_say_steps(&i->message, i->s.head,
+    hm_say_steps(&i->message, &i->file, i->numbers, i->s.head, &methods,
                  has_explicit
                      && holonom_may_be_explicit(&i->file.model, i->numbers, i->state, i->work));
     return i->message.begin;

@@ -195,13 +195,25 @@ static int is_no_number(const double *x, int32_t n)
     return 0;
 }
 
+int hm_say_composite(hm_text *text, const hm_model_file *f, const double *numbers, int32_t j)
+{
+    const holonom_model *m = &f->model;
+    const int32_t row = first_function_row(m) + j - m->n_elements;
+    const hm_measured y = hm_measured_in(f, numbers);
+    if (j >= m->n_elements) {
+        hm_say(text, "%s", row < m->n_rows ? f->text + f->row[row].name : "a contact that yields");
+        return 1;
+    }
+    const part_name name = name_of_part(f, (int32_t)(y.element_force - y.position) + j);
+    if (*name.text) hm_say(text, "'%s'", name.text);
+    return *name.text != '\0';
+}
+
 /* Says a spring or damper, what it does, and a colon. */
 static void say_element(hm_text *text, const hm_model_file *f, const double *numbers, int32_t j,
                         const char *does)
 {
-    const hm_measured y = hm_measured_in(f, numbers);
-    const part_name name = name_of_part(f, (int32_t)(y.element_force - y.position) + j);
-    if (*name.text) hm_say(text, "'%s'%s: ", name.text, does);
+    if (hm_say_composite(text, f, numbers, j)) hm_say(text, "%s: ", does);
 }
 
 /* Says a load, spring or damper whose law gives no number, or one that it may not give. */
@@ -302,20 +314,6 @@ int hm_say_strong_friction(hm_text *text, const hm_model_file *f, const double *
            "one of %6g holds as well, and a joint holds whatever comes",
            f->text + f->row[row].name, coefficient[worst], STRONG_ENOUGH);
     return 1;
-}
-
-void hm_say_steps(hm_text *text, const double *head, int is_explicit)
-{
-    const double tolerance = hm_tolerance(head), order = head[S_ORDER];
-    const int is_stepped = head[S_CONTACT_MODE] != 0.0;
-    hm_say(text, "conserving steps");
-    if (!(tolerance > 0.0) || order > 0.0)
-        hm_say(text, " of order %6g", order > 0.0 && !is_stepped ? order : 2.0);
-    if (is_explicit) hm_say(text, ", and explicit ones where they are possible");
-    if (tolerance > 0.0) hm_say(text, ", chosen for a relative error of the run of %6g", tolerance);
-    else hm_say(text, ", of at most %6g s", hm_step_size(head));
-    if (is_stepped && head[S_TOLERANCE] > 0.0)
-        hm_say(text, ": contact_mode stepped takes equal steps, whatever the tolerance");
 }
 
 static int model_has_dampers(const hm_model_file *f, const double *numbers)

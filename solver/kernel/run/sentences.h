@@ -118,8 +118,12 @@ void hm_say_dead_centre(hm_text *text, const hm_model_file *file, const double *
 int hm_say_closing(hm_text *text, const hm_model_file *file, const double *numbers,
                    const hm_state *state);
 
+/* Says composite j, a spring, damper, friction or contact that yields; whether it has a name. */
+int hm_say_composite(hm_text *text, const hm_model_file *file, const double *numbers, int32_t j);
+
 /* Says what steps the settings choose; `is_explicit`: whether some of them are. */
-void hm_say_steps(hm_text *text, const double *head, int is_explicit);
+void hm_say_steps(hm_text *text, const hm_model_file *file, const double *numbers,
+                  const double *head, const holonom_methods *methods, int is_explicit);
 
 /* Remarks on a run that goes on, each once; that its steps are too long again when it has lasted as
    long as it was to. */
