@@ -109,24 +109,6 @@ def test_sleep_changes_no_bit_of_the_motion(name, mode):
     assert slept > 0
 
 
-@needs_compiler
-@pytest.mark.parametrize(
-    "settings", [(1e-4, "conserving"), (1e-7, "conserving"), (1e-4, "fastest")]
-)
-@pytest.mark.parametrize("name", SCENES)
-def test_nor_does_it_under_a_tolerance(name, settings):
-    model = assemble(SCENES[name]())
-    chosen = dict(zip(("tolerance", "method"), settings, strict=True))
-    awake, sleepy = (integrator_without(bits, model, **chosen) for bits in (SLEEP, 0))
-    slept = 0
-    for _ in range(280):
-        awake.advance(awake.time, 0.01)
-        sleepy.advance(sleepy.time, 0.01)
-        assert motion(sleepy) == motion(awake)
-        slept += n_asleep(sleepy)
-    assert slept > 0
-
-
 @pytest.mark.parametrize("friction", [0.0, 0.3], ids=["frictionless", "friction"])
 def test_all_contacts_that_are_far_sleep_from_the_first_steps_on(friction):
     run = start(above_a_floor(friction), h=0.01)

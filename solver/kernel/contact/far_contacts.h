@@ -296,7 +296,7 @@ static void look_far(context *c, double travel, double *value, double *rate)
     double *head = c->s.head, next = INFINITY;
     int changes = 0;
     c->view.may_fall_asleep = 0;
-    if (!hm_skips(SKIP_FAR_CONTACTS) || n_contacts(c->m) < WORTH_SLEEP)
+    if (!hm_skips(SKIP_FAR_CONTACTS) || c->tolerance > 0.0 || n_contacts(c->m) < WORTH_SLEEP)
         return;
     for (int32_t i = 0; i < n_contacts(c->m); i++) {
         double *until = contact_of(c, i) + C_ASLEEP_UNTIL;

@@ -36,18 +36,16 @@ static int touches_ground(const context *c, int32_t f)
 { return c->m->form_free[f] < c->m->form_ptr[f + 1] - c->m->form_ptr[f]; }
 
 /* Whether no row, spring, function or potential joins the island at hand to the ground or to a
-   driven point; an open contact does not. */
+   driven point. */
 HM_SELDOM static int may_fly(const context *c)
 {
     const holonom_model *m = c->m;
     if (c->view.begin[ISLAND_DRIVEN] < c->view.end[ISLAND_DRIVEN]) return 0;
     EACH_FORM_ROW(c, i) if (touches_ground(c, m->row_form[i])) return 0;
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) if (touches_ground(c, m->coincidence_form[j])) return 0;
-    EACH_COMPOSITE(c, j) {
-        if (state_of_row(c, j) == ROW_IS_OFF) continue;
+    EACH_COMPOSITE(c, j)
         for (int32_t i = m->composite_form_ptr[j]; i < m->composite_form_ptr[j + 1]; i++)
             if (touches_ground(c, m->composite_form[i])) return 0;
-    }
     return 1;
 }
 
