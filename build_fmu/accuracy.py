@@ -69,7 +69,8 @@ class Difference:
     amount, time : float
         Its size in the unit, and when it is so large [s].
     scale : float
-        What it is compared with, in the unit: the largest extent, speed or force; of angles 1 rad.
+        What it is compared with, in the unit: the largest extent, speed, force or energy; of
+        angles 1 rad.
     """
 
     unit: str

@@ -36,9 +36,9 @@ STEEP = {CODE[name] for name in ("sqrt", "pow", "asin", "acos")}
 SLOTS_OF_TOLERANCE = 36
 SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
 """Half steps whose misses a state keeps, by the order: all of two internal steps. A tolerance may
-choose any order, and has those of two steps of order 6; what some islands cover and others compose
-has those of one step. An order that is set after the assembly
-works with fewer slots, and takes up to a third longer."""
+choose any order, and has those of two steps of order 6; where some islands take covers and
+others compositions there is room for those of one. An order that is set after the assembly works
+with fewer slots, and takes up to a third longer."""
 
 
 def assemble(scene: Scene) -> Model:

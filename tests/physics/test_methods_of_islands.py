@@ -11,6 +11,7 @@ import math
 import sys
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -202,3 +203,62 @@ def test_a_swing_keeps_its_energy_through_the_hits_of_a_ball(order):
     time = 0.8 - math.sqrt(0.2)
     assert float(run["C.y"]) == pytest.approx(math.sqrt(20) / 2 * time - 5 * time * time, abs=1e-9)
     assert swings(run) == pytest.approx((0.5, 15.0), abs=1e-12)
+
+
+def test_directors_of_a_free_body_stay_at_right_angles_beside_a_damped_oscillator():
+    # 20,000 steps: each internal step begins with directors of round-off. Without that in the
+    # composition they were off by 1.5e-15, growing with the root of the steps.
+    content = {
+        "name": "spinning_beside_a_brake", "dimension": 3, "gravity": [0, 0, 0],
+        "bodies": {
+            "top": {
+                "position": [5, 0, 0], "mass": 1.0, "inertia": [0.2, 0.3, 0.4],
+                "angular_velocity": [1.0, 2.0, 0.5],
+            }
+        },
+        "points": {"B": {"position": [2, 0, 0], "mass": 2.0, "velocity": [0.5, 0, 0]}},
+        "forces": {
+            "spring": {
+                "type": "spring", "points": ["ground", "B"], "at": [0, 0, 0],
+                "stiffness": 18.0, "free_length": 1.5,
+            },
+            "brake": {
+                "type": "damper", "points": ["ground", "B"], "at": [0, 0, 0], "damping": 0.02,
+            },
+        },
+    }  # fmt: skip
+    run = started(assembled(content, order=8, step_size=0.02))
+    worst = 0.0
+    for _ in range(100):
+        run.advance(run.time, 4.0)
+        nodes = np.array(run.state.vectors["q"]).reshape(-1, 3)
+        groups = (nodes[k : k + 3] for k in range(len(nodes) - 2))
+        worst = max(worst, min(float(abs(D @ D.T - np.eye(3)).max()) for D in groups))
+    assert worst < 5e-16
+
+
+def test_a_rod_tells_its_force_at_the_time_of_the_step_where_covers_of_others_stand_as_pairs():
+    # 3 m g sin a of a pendulum of 1 m and 1 kg, let go from the horizontal. Means of pairs err by
+    # h^2 F''/8, with F'' = 3 g^2 (cos^2 a - 2 sin^2 a) up to 577 N/s^2. At the times of its stages,
+    # taken for those of covers, the mean of a composition was off by 0.24 N.
+    h = 0.04
+    content = {**BESIDE_A_BRAKE, "gravity": [0, -9.81]}
+    content["points"] = {
+        "O": {"position": [5, 0], "fixed": True},
+        "P": {"position": [6, 0], "mass": 1.0},
+        "B": content["points"]["B"],
+    }
+    content["joints"] = {"rod": {"type": "distance", "points": ["O", "P"]}}
+    content["forces"] = {
+        "spring": content["forces"]["spring"],
+        "brake": {**content["forces"]["brake"], "damping": 5000.0},
+    }
+    run = started(assembled(content, order=8, step_size=h))
+    errors = []
+    for _ in range(25):
+        run.advance(run.time, h)
+        if run["solver.order_in_use"] == 2.0:
+            right = float(run["P.vx"]) ** 2 + float(run["P.vy"]) ** 2 - 9.81 * float(run["P.y"])
+            errors.append(abs(abs(float(run["rod.force"])) - right))
+    assert errors
+    assert max(errors) < 577.0 / 8.0 * h * h

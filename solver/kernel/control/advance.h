@@ -200,7 +200,7 @@ HM_SELDOM void holonom_find_methods(const holonom_model *m, double *number, doub
     for (int32_t f = 0; f < n_frictions(m); f++)
         if (is_smooth(&c, f)) add_loss(found, slip_row(&c, f, 0));
     found->covered = found->losses > 0;
-    found->composed = !found->covered || divides_islands(&c);
+    found->composed = !found->covered || choose_methods(&c);
 }
 
 int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work,

@@ -60,8 +60,9 @@ static double speed_at_contact(const context *c, int32_t i)
     return speed;
 }
 
-/* Speed of the fastest of its nodes; directors count times the size of the mechanism. */
-static double fastest_of_contact(const context *c, int32_t i)
+/* Speed of the fastest of its free nodes, or at the contact, where driven ones may be faster;
+   directors count times the size of the mechanism. */
+static double fastest_at_contact(const context *c, int32_t i)
 {
     const holonom_model *m = c->m;
     const int32_t j = m->contact_row[i];
@@ -72,7 +73,7 @@ static double fastest_of_contact(const context *c, int32_t i)
         largest =
             fmax(largest, m->node_kind[a] ? square * hm_square(c->number[m->extent_at]) : square);
     }
-    return sqrt(largest);
+    return fmax(sqrt(largest), speed_at_contact(c, i));
 }
 
 /* What a normal force does to the rate of gap i in a time h, if its nodes were free. No speed there
@@ -115,7 +116,7 @@ static int passes_edge(const context *c, double h, event_values low, event_value
         if (across > none && across > ACROSS_EDGE * fmax(speed_at_contact(c, i), least)) return 1;
         if (is_shared) continue;
         const double beyond = speed_beyond(c, i, h, force),
-                     speed = fmax(fastest_of_contact(c, i), least);
+                     speed = fmax(fastest_at_contact(c, i), least);
         if (beyond > fmax(ACROSS_EDGE * speed, none) && beyond < NO_EDGE * speed) return 1;
     }
     return 0;
@@ -133,7 +134,7 @@ static int is_edge_near(const context *c, int32_t i, double h, double force, int
     }
     return !is_telling(c)
            || speed_beyond(c, i, h, force)
-                  > fmax(SURELY_SMOOTH * fmax(fastest_of_contact(c, i), least), none);
+                  > fmax(SURELY_SMOOTH * fmax(fastest_at_contact(c, i), least), none);
 }
 
 /* Whether closed contacts have passed an edge in the short piece of length h that ends here, where
@@ -148,7 +149,7 @@ HM_SELDOM static int part_at_edges(context *c, double h, event_values low)
         if (!is_closed(c, i)) continue;
         const double change = gap_rate(c, i) - c->k.gap_rates[i];
         const double least = speed_by_force(c, i, h, low.value[i]);
-        if (!(fabs(change) > fmax(JUMP_AT_EDGE * fmax(fastest_of_contact(c, i), least),
+        if (!(fabs(change) > fmax(JUMP_AT_EDGE * fmax(fastest_at_contact(c, i), least),
                                   speed_tolerance(c))))
             continue;
         passed = 1;

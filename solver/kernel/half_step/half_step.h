@@ -38,9 +38,9 @@ static void keep_forces(context *c, double time, const double *mu)
 }
 
 /* Means of the islands at hand; those before become the means before. */
-static void average_at_hand(const context *c)
+static void average_at_hand(context *c)
 {
-    const hm_state *s = &c->s;
+    hm_state *s = &c->s;
     const int32_t first = c->m->n_free, begin = c->view.begin[ISLAND_DRIVEN],
                   end = c->view.end[ISLAND_DRIVEN];
     EACH_ROW(c, i) {

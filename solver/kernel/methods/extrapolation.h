@@ -1,5 +1,5 @@
-/* Steps of order 4, 6 and 8 as weighted covers, under a tolerance and where dampers take energy out
-   (theory 8.3).
+/* Steps of order 4, 6 and 8 as weighted covers, under a tolerance and of islands in which dampers
+   take energy out (theory 8.3).
 
    A composition goes back in time in between, where dampers would give energy. Here a step is
    covered by 1, 2, ... pairs of half steps, all forwards. Their ends have errors in even powers of

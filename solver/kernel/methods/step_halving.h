@@ -74,7 +74,7 @@ static int32_t take_step(context *c, double h, step_result *result)
         c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
     if (order == 2 && is_judged && is_first) return judged_pair(c, h, result);
     if (order == 2 || !(is_judged || is_dissipative(c))) return composed_step(c, h, order, result);
-    if (!is_judged && divides_islands(c)) return divided_step(c, h, order, result);
+    if (!is_judged && choose_methods(c)) return divided_step(c, h, order, result);
     return extrapolated_step(c, h, 0, result);
 }
 
