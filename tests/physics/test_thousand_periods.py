@@ -83,7 +83,9 @@ READS = BRAKE + '[forces.pull]\ntype = "force"\npoint = "B"\nvalue = ["0.01*A.x"
         (READS, 6, 3e-6, 1e-5),
     ],
 )
-def test_swings_keep_energy_but_for_dampers_beside_formulas_of_the_motion(beside, order, least, most):
+def test_swings_keep_energy_but_for_dampers_beside_formulas_of_the_motion(
+    beside, order, least, most
+):
     """Swings of 1 and 30**0.5 rad/s do not know of each other; the page of settings has figures.
 
     The sum of both energies is kept: what one loses the other one gains.
