@@ -240,10 +240,12 @@ static int is_noise(const context *c, double round_off, double difference, doubl
 
 /* Whether round-off explains the difference of the last step, of length h. Of a pair it is h^3
    times the rate of its accelerations, which has the round-off of places, however short the pair
-   is; dampers, and laws that read the motion, add what velocities have of it. */
+   is; dampers, and laws that read the motion, add what velocities have of it. Where order 2 is not
+   asked for, covers beside pairs tell errors, and pairs are left as they are. */
 static int shows_noise_alone(const context *c, const method *used, double difference, double h)
 {
-    if (used->kind == COMPOSED && !c->last.finest && !c->m->sensing && !c->step.damped)
+    if (c->s.head[S_ORDER] == 2.0 && used->kind == COMPOSED && !c->last.finest
+        && !c->m->sensing && !c->step.damped)
         return difference <= ROUND_OFF_OF_PAIRS * largest_reading(c);
     return is_noise(c, used->round_off, difference, h);
 }
