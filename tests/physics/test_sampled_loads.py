@@ -179,7 +179,7 @@ def test_a_charge_that_drifts_in_a_magnetic_field_keeps_a_tight_tolerance(tolera
         "A.vy": -speed * np.sin(field * run.t),
     }
     for name, value in right.items():  # of a size of 1 m and a speed of 1.1 m/s
-        assert run[name] == pytest.approx(value, rel=0.0, abs=3.0 * tolerance)
+        assert run[name] == pytest.approx(value, rel=0.0, abs=tolerance)
 
 
 MOTOR = """

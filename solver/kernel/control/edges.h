@@ -60,9 +60,8 @@ static double speed_at_contact(const context *c, int32_t i)
     return speed;
 }
 
-/* Speed of the fastest of its free nodes, or at the contact, where driven ones may be faster;
-   directors count times the size of the mechanism. */
-static double fastest_at_contact(const context *c, int32_t i)
+/* Speed of the fastest of its free nodes; directors count times the size of the mechanism. */
+static double fastest_of_contact(const context *c, int32_t i)
 {
     const holonom_model *m = c->m;
     const int32_t j = m->contact_row[i];
@@ -73,7 +72,7 @@ static double fastest_at_contact(const context *c, int32_t i)
         largest =
             fmax(largest, m->node_kind[a] ? square * hm_square(c->number[m->extent_at]) : square);
     }
-    return fmax(sqrt(largest), speed_at_contact(c, i));
+    return sqrt(largest);
 }
 
 /* What a normal force does to the rate of gap i in a time h, if its nodes were free. No speed there
@@ -101,23 +100,39 @@ static double speed_beyond(const context *c, int32_t i, double h, double force)
     return fabs(gap_rate(c, i) - function_rate(c, j, v0, c->k.signal_rate));
 }
 
+/* Whether contact i has a rate across its surface that only an edge leaves; `least` is
+   speed_by_force. */
+static int is_across(const context *c, int32_t i, double least)
+{
+    const double across = fabs(gap_rate(c, i));
+    return across > speed_tolerance(c)
+           && across > ACROSS_EDGE * fmax(speed_at_contact(c, i), least);
+}
+
+/* Whether a speed is more than a part of those of contact i: of its nodes, and at the contact,
+   where driven nodes may be faster. */
+static int exceeds_speeds(const context *c, int32_t i, double speed, double part, double least)
+{
+    return speed > fmax(part * fmax(fastest_of_contact(c, i), least), speed_tolerance(c))
+           && speed > part * speed_at_contact(c, i);
+}
+
 /* Whether closed contacts seem to have passed an edge in a piece of length h that ends at the
    state, whose functions at its ends are known; under a tolerance errors tell, and cut it. */
 static int passes_edge(const context *c, double h, event_values low, event_values high)
 {
     if (c->tolerance > 0.0) return 0;
-    const double none = speed_tolerance(c);
     const int is_shared = has_shares(c) || c->event.together || may_have_dependent_rows(c);
     EACH_CONTACT(c, i) {
         if (!is_closed(c, i)) continue;
         const double force = 0.5 * (low.value[i] + high.value[i]),
-                     least = speed_by_force(c, i, h, force),
-                     across = fabs(gap_rate(c, i));
-        if (across > none && across > ACROSS_EDGE * fmax(speed_at_contact(c, i), least)) return 1;
+                     least = speed_by_force(c, i, h, force);
+        if (is_across(c, i, least)) return 1;
         if (is_shared) continue;
-        const double beyond = speed_beyond(c, i, h, force),
-                     speed = fmax(fastest_at_contact(c, i), least);
-        if (beyond > fmax(ACROSS_EDGE * speed, none) && beyond < NO_EDGE * speed) return 1;
+        const double beyond = speed_beyond(c, i, h, force);
+        if (exceeds_speeds(c, i, beyond, ACROSS_EDGE, least)
+            && !exceeds_speeds(c, i, beyond, NO_EDGE, least))
+            return 1;
     }
     return 0;
 }
@@ -127,14 +142,10 @@ static int passes_edge(const context *c, double h, event_values low, event_value
 static int is_edge_near(const context *c, int32_t i, double h, double force, int is_shared)
 {
     if (c->tolerance > 0.0) return 0;
-    const double least = speed_by_force(c, i, h, force), none = speed_tolerance(c);
-    if (is_shared) {
-        const double across = fabs(gap_rate(c, i));
-        return across > none && across > ACROSS_EDGE * fmax(speed_at_contact(c, i), least);
-    }
+    const double least = speed_by_force(c, i, h, force);
+    if (is_shared) return is_across(c, i, least);
     return !is_telling(c)
-           || speed_beyond(c, i, h, force)
-                  > fmax(SURELY_SMOOTH * fmax(fastest_at_contact(c, i), least), none);
+           || exceeds_speeds(c, i, speed_beyond(c, i, h, force), SURELY_SMOOTH, least);
 }
 
 /* Whether closed contacts have passed an edge in the short piece of length h that ends here, where
@@ -147,11 +158,9 @@ HM_SELDOM static int part_at_edges(context *c, double h, event_values low)
     evaluate_state(c);
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         if (!is_closed(c, i)) continue;
-        const double change = gap_rate(c, i) - c->k.gap_rates[i];
-        const double least = speed_by_force(c, i, h, low.value[i]);
-        if (!(fabs(change) > fmax(JUMP_AT_EDGE * fmax(fastest_at_contact(c, i), least),
-                                  speed_tolerance(c))))
-            continue;
+        const double change = gap_rate(c, i) - c->k.gap_rates[i],
+                     least = speed_by_force(c, i, h, low.value[i]);
+        if (!exceeds_speeds(c, i, fabs(change), JUMP_AT_EDGE, least)) continue;
         passed = 1;
         blame(c, c->m->contact_row[i]);
         if (change > 0.0) open_contact(c, i), contact_of(c, i)[C_PARTED] = 1.0;
