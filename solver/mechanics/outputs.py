@@ -199,12 +199,23 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
         return {"length": length, "force": _tension(sensors, name, force, length)}
     if isinstance(force, Potential):
         return {"energy": force.value}
+    if name in parts.force_laws:
+        return {"torque": _of_law(sensors, name)}
     torque = Ref("element_force", parts.elements[name])
     if not isinstance(force, JointTorque):
         return {"torque": torque}
     rubs, sign = parts.rubbing.get(name, (None, 0.0))
     friction = 0.0 if rubs is None else sign * sensors.value(Ref("friction", rubs, 0))
     return {"torque": friction - sensors.value(torque)}
+
+
+def _of_law(sensors: Sensors, name: str) -> Number:
+    """Return a force that reads the motion, positive where it draws its quantity together."""
+    law, quantity, word = sensors.parts.force_laws[name]
+    value, rate = (sensors.value(Ref(x, quantity)) for x in ("quantity", "quantity_rate"))
+    force = with_symbols(law, {symbol(word): value, symbol("rate"): rate})
+    rubs, sign = sensors.parts.rubbing.get(name, (None, 0.0))
+    return force if rubs is None else force - sign * sensors.value(Ref("friction", rubs, 0))
 
 
 def _tension(
@@ -214,6 +225,8 @@ def _tension(
     if isinstance(force, Gravitation):
         value = sensors.value(length)
         return force.constant * force.masses[0] * force.masses[1] / (value * value)
+    if name in sensors.parts.force_laws:
+        return _of_law(sensors, name)
     if not isinstance(force, Spring) or force.energy is None:
         return Ref("element_force", sensors.parts.elements[name])
     slope = derivative(force.energy, "length")
