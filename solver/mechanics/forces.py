@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from solver.mechanics.actuators import add_actuator
 from solver.mechanics.combination import Combination
 from solver.mechanics.force_laws import add_resistance
 from solver.mechanics.formulas import formula, leaf_symbol, sensed
@@ -16,6 +17,7 @@ from solver.mechanics.rubbing import without_friction
 from solver.mechanics.vectors import Vector, dot
 from solver.runtime.layout import LEAF_VALUE
 from solver.scene import (
+    Actuator,
     Damper,
     Expr,
     Force,
@@ -171,5 +173,5 @@ def _value(
 FORCES = {
     Spring: add_spring, Damper: add_damper, Gravitation: add_gravitation,
     Potential: add_potential, TorsionSpring: add_twist, TorsionDamper: add_twist,
-    JointTorque: add_twist, Force: add_load, Torque: add_torque,
+    JointTorque: add_twist, Force: add_load, Torque: add_torque, Actuator: add_actuator,
 }  # fmt: skip

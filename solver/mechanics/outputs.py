@@ -13,6 +13,7 @@ from itertools import count
 from math import pi
 from typing import Any, TypeAlias
 
+from solver.mechanics.actuators import limited
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
@@ -21,7 +22,9 @@ from solver.mechanics.frames import RigidFrame
 from solver.mechanics.parts import JointParts
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
+from solver.runtime.layout import LEAF_RATE, LEAF_VALUE
 from solver.scene import (
+    Actuator,
     BodyJoint,
     ClearanceContact,
     Constraint,
@@ -194,6 +197,8 @@ def _of_a_constraint(sensors: Sensors, name: str, _: Constraint) -> Found:
 def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     """Length and force, torque or energy of a force."""
     parts = sensors.parts
+    if isinstance(force, Actuator):
+        return _of_an_actuator(sensors, name, force)
     if name in parts.links:
         length = Ref("quantity", parts.mechanism.length(parts.links[name]))
         return {"length": length, "force": _tension(sensors, name, force, length)}
@@ -210,12 +215,34 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
 
 
 def _of_law(sensors: Sensors, name: str) -> Number:
-    """Return a force that reads the motion, positive where it draws its quantity together."""
-    law, quantity, word = sensors.parts.force_laws[name]
-    value, rate = (sensors.value(Ref(x, quantity)) for x in ("quantity", "quantity_rate"))
-    force = with_symbols(law, {symbol(word): value, symbol("rate"): rate})
+    """Return a force with a law of its own, positive where it draws its quantity together."""
+    law, own = sensors.parts.force_laws[name]
+    kinds = {LEAF_VALUE: "quantity", LEAF_RATE: "quantity_rate"}
+    seen = {symbol(x): sensors.value(Ref(kinds[y.kind], y.index)) for x, y in own.items()}
     rubs, sign = sensors.parts.rubbing.get(name, (None, 0.0))
+    force = with_symbols(law, seen)
     return force if rubs is None else force - sign * sensors.value(Ref("friction", rubs, 0))
+
+
+def _of_an_actuator(sensors: Sensors, name: str, actuator: Actuator) -> Found:
+    """Force or torque along what it acts on, its power, and which limit it is at."""
+    parts = sensors.parts
+    if actuator.points is not None:
+        quantity = parts.mechanism.length(parts.links[name])
+    else:
+        found = parts.joints[actuator.joint or actuator.guide or ""]
+        quantity = found.angle if actuator.joint is not None else found.displacement
+        assert quantity is not None
+    rate = sensors.value(Ref("quantity_rate", quantity))
+    force = -1.0 * _of_law(sensors, name)
+    return {
+        "length": Ref("quantity", quantity),
+        "force": force,
+        "torque": force,
+        "motor_speed": actuator.ratio * rate,
+        "power": force * rate,
+        "limited": with_symbols(limited(actuator), {symbol("rate"): rate}),
+    }
 
 
 def _tension(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from solver.scene import fields as kind
+from solver.scene.actuators import Actuator
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
@@ -290,7 +291,7 @@ FORCES: dict[str, type[Part]] = {
     force.type: force
     for force in (
         *(Spring, Damper, TorsionSpring, TorsionDamper, Force, Torque, JointTorque, Potential),
-        Gravitation,
+        *(Gravitation, Actuator),
     )
 }
 """Types of forces."""

@@ -116,8 +116,8 @@ _WORDS = {
 }
 _NOT_A_WORD = {
     ("motor", "motors", "servo"): (
-        'a motor is a motion in [drivers], such as type = "angle" with value = "2*t", or a load in '
-        '[forces], type = "joint_torque"'
+        'a motor is a motion in [drivers], such as type = "angle" with value = "2*t", or one with '
+        'limits in [forces], type = "actuator"'
     ),
     ("friction",): (
         "friction is a field of contacts, friction = 0.3, and of revolute, prismatic, spherical "
