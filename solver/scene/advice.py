@@ -38,6 +38,7 @@ def advise(
     `parts` are by table and name, `settings` those of the solver.
     """
     _unused(numbers)
+    _unused_expressions(numbers.draft)
     _settings_of_contacts(numbers)
     _settings_of_tolerance(numbers, settings)
     _held(numbers, parts["inputs"])
@@ -57,6 +58,14 @@ def _unused(numbers: NumberChecks) -> None:
         if name not in known.uses and not isinstance(value, str):
             help = "use it in an expression, or leave it out"
             numbers.draft.warn((table, name), "nothing depends on it", help)
+
+
+def _unused_expressions(draft: Draft) -> None:
+    """Warn of named expressions that stand nowhere."""
+    for name in draft.expressions:
+        if name not in draft.expressions.used:
+            help = "use it in an expression, or leave it out"
+            draft.warn(("expressions", name), "nothing mentions it", help)
 
 
 def _settings_of_contacts(numbers: NumberChecks) -> None:

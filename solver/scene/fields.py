@@ -20,6 +20,7 @@ from solver.scene.expression import ExpressionError, Vector
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
+from solver.scene.substitution import ReportedError
 from solver.scene.units import in_si
 from solver.scene.words import did_you_mean
 
@@ -133,7 +134,9 @@ class Quantity(Kind):
             return grammar.ParsedNumber(value, value)
         if isinstance(value, str):
             try:
-                return grammar.read(value, draft.curves)
+                return grammar.read(value, draft.curves, draft.expressions)
+            except ReportedError:
+                return BROKEN
             except ExpressionError as error:
                 message = f"{error.message}, column {error.column} of '{value}'"
                 mark = (value, error.column or 1)
@@ -388,6 +391,8 @@ class Part:
 
     type: ClassVar[str] = ""
     """Type in a table of parts of several types."""
+    short: ClassVar[str] = ""
+    """Field whose value a file may write alone, in place of the table of fields."""
     is_usual: ClassVar[bool] = False
     """Whether a part without a type has this one."""
     only_in: ClassVar[tuple[int, str]] = (0, "")

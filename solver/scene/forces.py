@@ -12,7 +12,16 @@ from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
-from solver.scene.rules import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
+from solver.scene.rules import (
+    FORCE,
+    LENGTH,
+    LOAD,
+    NOT_NEGATIVE,
+    POSITIVE,
+    POTENTIAL,
+    PROPERTY,
+    Place,
+)
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -48,7 +57,7 @@ class Spring(Part):
     """None where `energy` is given."""
     free_length: Annotated[Number | None, _quantity("m", text="as drawn unless given")] = None
     energy: Annotated[
-        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=("length",)))
+        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=(LENGTH,)))
     ] = None
     """Stored energy, an expression in the symbol ``length`` (m)."""
 
@@ -65,7 +74,7 @@ class Spring(Part):
             message = "the energy already defines the free length of the spring"
             draft.error((*path, "free_length"), message, "leave it out")
         mentions = () if given.energy in (None, BROKEN) else given.energy.mentions
-        if given.energy not in (None, BROKEN) and "length" not in {x.name for x in mentions}:
+        if given.energy not in (None, BROKEN) and LENGTH not in {x.name for x in mentions}:
             message = "mentions no 'length', the length of the spring in m"
             draft.error(energy, message, 'such as "50*(length - 1)**2"')
 

@@ -56,6 +56,8 @@ class Known:
     """Default values of the parameters that have one."""
     uses: dict[str, list[Path]] = field(default_factory=dict)
     """Where each name stands in an expression."""
+    reported: set[str] = field(default_factory=set)
+    """Named expressions that mention what no place knows."""
 
     @cached_property
     def quantities(self) -> Mapping[str, Level]:
@@ -158,13 +160,21 @@ class NumberChecks:
     def mentions_are_allowed(self, path: Path, parsed: ParsedNumber, place: Place) -> bool:
         """Report every name in an expression that is unknown or out of place."""
         fine = True
+        for name in sorted(parsed.named & {*place.own}):
+            fine = False
+            self.draft.error(path, *_own_and(name, "expression"))
         for mention in parsed.mentions:
+            if not self.known.reported.isdisjoint(mention.within):
+                fine = False
+                continue
             self.known.uses.setdefault(mention.name, []).append(path)
             judge = self._symbol if mention.role == "symbol" else self._call
             verdict = judge(mention, place)
             if verdict is not None:
-                fine = False
-                self.draft.error(path, *verdict, (parsed.text, mention.column))
+                fine, (message, help) = False, verdict
+                if mention.within:
+                    message += f" (in the expression '{_OF.join(mention.within[::-1])}')"
+                self.draft.error(path, message, help, (parsed.text, mention.column))
         return fine
 
     def value(self, number: Number) -> float | None:
@@ -185,8 +195,7 @@ class NumberChecks:
         if name in place.own:
             if kind is None:
                 return None
-            message = f"'{name}' has a meaning of its own here, and is the name of {a(kind)}"
-            return message, f"rename the {kind}"
+            return _own_and(name, kind)
         if kind == "parameter":
             return self._parameter(name, place)
         if name == "t" or kind == "input":
@@ -234,8 +243,8 @@ class NumberChecks:
         if kind is not None:
             help = f"write {name}(...)" if kind == "profile" else None
             return f"'{name}' is {a(kind)}, not a number", help
-        parameters = self.known.of("parameter") if place.parameters else []
-        words = [*place.own, *(other for other in parameters if other != place.of)]
+        kinds = ("parameter", "expression") if place.parameters else ()
+        words = [*place.own, *(other for other in self.known.of(*kinds) if other != place.of)]
         if place.time:
             words += ["t", *self.known.of("input")]
         words += sorted(possible)
@@ -334,7 +343,14 @@ class NumberChecks:
         return otherwise
 
 
+_OF = "' of '"
 _ELSEWHERE = "is possible only in outputs, in constraints and in the values of forces and torques"
+
+
+def _own_and(name: str, kind: str) -> tuple[str, str]:
+    """Judge a symbol of a place that is the name of something else too."""
+    message = f"'{name}' has a meaning of its own here, and is the name of {a(kind)}"
+    return message, f"rename the {kind}"
 
 
 def unknown_end(known: Known, name: str, *, ground: bool = False) -> tuple[str, str | None] | None:

@@ -22,6 +22,8 @@ else:
     import tomli as tomllib
 
 
+_BY_NAME = {"parameters": "value", "inputs": "start", "expressions": "value"}
+"""Tables whose parts an override means by their names alone, and the field that it replaces."""
 SECTIONS = {name: table.types[0] for name, table in TABLES.items() if name not in NOUNS}
 """Tables whose fields are the same in all scenes."""
 
@@ -82,13 +84,13 @@ def _target(data: dict[str, Any], path: Path) -> Path | None:
     if not path:
         return None
     if len(path) == 1:
-        for table, field in (("parameters", "value"), ("inputs", "start")):
+        for table, field in _BY_NAME.items():
             parts = data.get(table)
             if isinstance(parts, dict) and path[0] in parts:
                 whole = not isinstance(parts[path[0]], dict)
                 return (table, path[0]) if whole else (table, path[0], field)
         return path if path[0] in HEADING else None
-    if len(path) == 2 and path[0] in ("parameters", "inputs"):
+    if len(path) == 2 and path[0] in _BY_NAME:
         return _target({path[0]: data.get(str(path[0]))}, path[1:])
     if path[0] in SECTIONS:
         data.setdefault(str(path[0]), {})
@@ -114,7 +116,7 @@ def _replace(data: Any, path: Path, value: object) -> bool:
 def _known(data: dict[str, Any], *, whole: bool) -> list[str]:
     """Every name an override may have in this scene; without `whole` of what the file gives."""
     names = []
-    for table in ("parameters", "inputs"):
+    for table in _BY_NAME:
         parts = data.get(table)
         names += list(parts) if isinstance(parts, dict) else []
     if whole:
@@ -123,7 +125,7 @@ def _known(data: dict[str, Any], *, whole: bool) -> list[str]:
             location_of((x, field)) for x, part in SECTIONS.items() for field in fields_of(part)
         ]
     for table, parts in data.items():
-        listed = ("parameters", "inputs", *(SECTIONS if whole else ()))
+        listed = (*_BY_NAME, *(SECTIONS if whole else ()))
         if not isinstance(parts, dict) or table in listed:
             continue
         for name, part in parts.items():

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from graphlib import CycleError, TopologicalSorter
+from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
@@ -63,6 +64,8 @@ _LARGEST = kind.Quantity(text="largest value that it may have", reading=_limit)
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter(Part):
     """A number with a name, settable in the FMU."""
+
+    short = "value"
 
     value: Annotated[Number, kind.Quantity(text=_VALUE, example=1.0, reading=_default)]
     unit: Annotated[str, UNIT] = ""
@@ -159,6 +162,11 @@ def _uses(given: Any) -> list[str]:
     return list(dict.fromkeys(mention.name for mention in given.value.mentions))
 
 
+def _between(given: Any, name: str) -> tuple[str, ...]:
+    """Named expressions by which a parameter's value mentions another parameter."""
+    return next(x.within for x in given.value.mentions if x.name == name)
+
+
 def _value_path(draft: "Draft", name: str) -> Path:
     """Place of a parameter's value, in the short form or in a table."""
     short = not isinstance(draft.data["parameters"][name], dict)
@@ -177,7 +185,9 @@ def _order(draft: "Draft", parts: Mapping[str, tuple[type[Part], Any]]) -> list[
         first = min(circle, key=list(parts).index)
         start = circle.index(first)
         names = [*circle[start:], *circle[:start], first]
-        message = f"calculated from itself: {' -> '.join(names)}"
+        steps = (_between(parts[x][1], y) for x, y in pairwise(names))
+        by_way = [name for x, step in zip(names, steps, strict=False) for name in (x, *step)]
+        message = f"calculated from itself: {' -> '.join([*by_way, first])}"
         draft.error(_value_path(draft, first), message)
         circular += circle
         uses = {

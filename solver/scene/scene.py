@@ -23,6 +23,7 @@ from solver.scene.joints import JOINTS
 from solver.scene.looks import LOOKS, View
 from solver.scene.meshes import MESHES
 from solver.scene.mistakes import Problem, SceneError, Source
+from solver.scene.named_expressions import Expression
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.rules import OUTPUT
@@ -58,7 +59,7 @@ class Parts(kind.Kind):
         forms: list[dict[str, Any]] = [{"$ref": f"#/$defs/{x.__name__}"} for x in self.types]
         if not self.noun:
             return forms[0] | {"description": (self.types[0].__doc__ or "").partition("\n")[0]}
-        if self.types == (Parameter,):
+        if self.types[0].short:
             forms.insert(0, kind.NUMBER.schema())
         one = forms[0] if len(forms) == 1 else {"anyOf": forms}
         text = f"a name for each {self.noun}, and what it is"
@@ -86,6 +87,9 @@ class Scene(Part):
     )
     inputs: Annotated[dict[str, Input], _table("input", Input)] = field(default_factory=dict)
     profiles: Annotated[dict[str, Profile], _table("profile", Profile)] = field(
+        default_factory=dict
+    )
+    expressions: Annotated[dict[str, Expression], _table("expression", Expression)] = field(
         default_factory=dict
     )
     points: Annotated[dict[str, Point], _table("point", Point)] = field(default_factory=dict)
