@@ -184,7 +184,7 @@ class ConstantAngle(Part):
         help = "for parallel axes write 'prismatic', 'cylindrical' or 'planar'"
         if angle is not None and not (ALIGNED < angle < math.pi - ALIGNED):
             if angle > math.pi:
-                help = f'if these are degrees, write "{angle:.12g}*pi/180"'
+                help = f'if these are degrees, write "{angle:.12g} deg"'
             message = f"must be > 0 and < pi rad, where the joint is singular, got {angle:.15g}"
             reader.draft.error((*path, "value"), message, help)
         elif value is None and cosine is not None and 1.0 - abs(cosine) < 0.5 * ALIGNED**2:

@@ -80,6 +80,8 @@ class ParsedNumber(NamedTuple):
     mentions: tuple[Mention, ...] = ()
     named: frozenset[str] = frozenset()
     """Named expressions whose texts stand in it."""
+    unit: str = ""
+    """Unit that the file writes behind the number, which is in SI here."""
 
     @property
     def text(self) -> str:
@@ -183,7 +185,7 @@ def _plain(message: str) -> str:
     if message.startswith("Exceeds the limit"):
         return "number larger than any floating-point number"
     if message.startswith("invalid decimal literal"):
-        return "a number with letters behind it; a unit is not written here"
+        return "a number with letters behind it, which are no unit that is known here"
     return re.split(r"[.;] |\. Did", message)[0]
 
 

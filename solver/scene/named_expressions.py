@@ -12,7 +12,7 @@ from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
 from solver.scene.mistakes import Path
-from solver.scene.parameters import TEXT, UNIT
+from solver.scene.parameters import TEXT, UNIT, settle_units
 from solver.scene.rules import ANYWHERE
 from solver.scene.substitution import ReportedError
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 class _Formula(kind.Quantity):
     """The text of a named expression, which is read once."""
 
-    def parse(self, draft: "Draft", path: Path, value: Any) -> Any:  # noqa: ARG002
+    def parse(self, draft: "Draft", path: Path, value: Any, unit: str = "") -> Any:  # noqa: ARG002
         """Read it, and what it mentions before it."""
         return draft.expressions.parsed(str(path[1]))
 
@@ -51,6 +51,13 @@ class Expression(Part):
     ]
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Settle its unit."""
+        values = reader.fields(cls, path, given)
+        settle_units(reader, path, given, values)
+        return cls(**values)
 
 
 class Expressions(Mapping[str, str]):
@@ -83,7 +90,8 @@ class Expressions(Mapping[str, str]):
         if parsed is BROKEN:
             message = f"the expression '{name}' has a mistake"
             raise ReportedError(message)
-        return parsed.text if isinstance(parsed.given, str) else repr(parsed.number)
+        is_text = isinstance(parsed.given, str) and not parsed.unit
+        return parsed.given if is_text else repr(parsed.number)
 
     def parsed(self, name: str) -> Any:
         """Reading of an expression, or BROKEN; circles are reported."""
@@ -93,7 +101,7 @@ class Expressions(Mapping[str, str]):
         if name not in self._parsed:
             self._open.append(name)
             path, value = self._path(name), self._values[name]
-            usual = kind.Quantity()
+            usual = kind.OfAnyUnit()
             found = BROKEN if value is None else usual.parse(self._draft, path, value)
             self._parsed.setdefault(name, found)
             self._open.pop()

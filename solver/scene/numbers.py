@@ -25,7 +25,7 @@ from solver.scene.grammar import Mention, ParsedNumber
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Level, Offer, quantities
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
-from solver.scene.units import in_si
+from solver.scene.units import misfit, remedy, symbol_help
 from solver.scene.words import a, did_you_mean, nearest
 
 if TYPE_CHECKING:
@@ -102,7 +102,8 @@ class NumberChecks:
             self.draft.error(path, f"must be at most {LARGEST_NUMBER:g} in size, got {value:.6g}")
         elif value is not None and rule is not None and not rule.holds(value):
             unit = f" {unit}" if unit else ""
-            how = "" if isinstance(parsed.number, float) else f" (= {parsed.text})"
+            is_plain = isinstance(parsed.number, float) and not parsed.unit
+            how = "" if is_plain else f" (= {parsed.text})"
             self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}", rule.help)
         return parsed.number
 
@@ -114,9 +115,15 @@ class NumberChecks:
 
     def advise_radians(self, path: Path, parsed: Any, value: float) -> None:
         """Warn of an angle in rad of more than a turn."""
-        if abs(turns := value / (2.0 * math.pi)) > 1.0 and "pi" not in parsed.text:
-            help = f'if these are degrees, write "{value:.12g}*pi/180"'
+        is_plain = "pi" not in parsed.text and not parsed.unit
+        if abs(turns := value / (2.0 * math.pi)) > 1.0 and is_plain:
+            help = f'if these are degrees, write "{value:.12g} deg"'
             self.draft.warn(path, f"is {value:.6g} rad, {turns:.3g} turns", help)
+
+    def in_unit(self, path: Path, parsed: Any, unit: str) -> None:
+        """Report a literal whose unit is not this one, where the kind of its field allows more."""
+        if parsed not in (None, BROKEN) and parsed.unit and (words := misfit(parsed.unit, unit)):
+            self.draft.error(path, f"is {parsed.text}, {words}", remedy(unit))
 
     def constant(
         self,
@@ -249,7 +256,7 @@ class NumberChecks:
             words += ["t", *self.known.of("input")]
         words += sorted(possible)
         is_near = nearest(name, words) is not None
-        unit = in_si(f"1 {name}") if len(name) > 1 and not is_near else None
+        unit = symbol_help(name) if len(name) > 1 and not is_near else None
         return f"unknown symbol '{name}'", unit or did_you_mean(name, words)
 
     def _unknown_of(self, name: str, owner: str, possible: list[str]) -> tuple[str, str | None]:
