@@ -13,6 +13,7 @@ from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
 from solver.scene.rules import (
+    ANGLE,
     FORCE,
     LENGTH,
     LOAD,
@@ -20,6 +21,7 @@ from solver.scene.rules import (
     POSITIVE,
     POTENTIAL,
     PROPERTY,
+    RATE,
     Place,
 )
 
@@ -80,7 +82,7 @@ class Spring(Part):
 
 
 def _law_of_rate(unit: str, word: str) -> kind.Quantity:
-    place = Place(time=True, levels=("position", "rate"), own=("rate", word))
+    place = Place(time=True, levels=("position", "rate"), own=(RATE, word))
     return kind.Quantity(unit, f"an expression in `rate`, and perhaps `{word}`", place=place)
 
 
@@ -93,7 +95,7 @@ def _check_damper(reader: "Reader", path: Path, given: Any, field: str, example:
     elif given.damping is not None and law is not None:
         message = f"a damper has a damping or a {field}, not both"
         draft.error((*path, field), message, "leave out one of them")
-    elif law not in (None, BROKEN) and "rate" not in {x.name for x in law.mentions}:
+    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions}:
         help = f'such as "{example}"'
         draft.error((*path, field), "mentions no 'rate', the rate of the damper", help)
 
@@ -108,7 +110,7 @@ class Damper(Part):
     points: Annotated[Ends, kind.TWO_ENDS]
     damping: Annotated[Number | None, _quantity("N.s/m", 1.0)] = None
     """None where `force` is given."""
-    force: Annotated[Number | None, _law_of_rate("N", "length")] = None
+    force: Annotated[Number | None, _law_of_rate("N", LENGTH)] = None
     """In the symbols ``rate`` (m/s, positive as it lengthens) and ``length`` (m)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
@@ -144,7 +146,7 @@ class TorsionDamper(Part):
     joint: Annotated[str, _JOINT]
     damping: Annotated[Number | None, _quantity("N.m.s/rad", 1.0)] = None
     """None where `torque` is given."""
-    torque: Annotated[Number | None, _law_of_rate("N.m", "angle")] = None
+    torque: Annotated[Number | None, _law_of_rate("N.m", ANGLE)] = None
     """In the symbols ``rate`` (rad/s) and ``angle`` (rad)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:

@@ -14,6 +14,7 @@ from solver.scene.fields import fields_of, shown
 from solver.scene.grammar import is_readable
 from solver.scene.mistakes import Given, Path, Problem, location_of, path_of
 from solver.scene.scene import HEADING, NOUNS, TABLES
+from solver.scene.units import literal, si_unit
 from solver.scene.words import did_you_mean, nearest
 
 if sys.version_info >= (3, 11):
@@ -51,7 +52,7 @@ def apply_overrides(
         path = _target(data, path_of(name))
         if not is_readable(text):
             problems.append(Problem("", "not a readable text", override=where))
-        elif path is None or not _replace(data, path, value):
+        elif path is None or not _replace(data, path, _with_units(data, path, value)):
             tables = [table for table, part in SECTIONS.items() if name in fields_of(part)]
             meant = " or ".join(f"'{table}.{name}'" for table in sorted(tables, reverse=True))
             given_names, possible = _known(data, whole=False), _known(data, whole=True)
@@ -95,6 +96,26 @@ def _target(data: dict[str, Any], path: Path) -> Path | None:
     if path[0] in SECTIONS:
         data.setdefault(str(path[0]), {})
     return path
+
+
+def _with_units(data: dict[str, Any], path: Path, value: object) -> object:
+    """Let a parameter or input keep the units that its literal gave it, under a plain number."""
+    if path[0] not in ("parameters", "inputs") or type(value) not in (int, float):
+        return value
+    table = data.get(path[0])
+    part = table.get(path[1]) if isinstance(table, dict) else None
+    is_short = not isinstance(part, dict)
+    before = part if is_short else part.get(path[-1])
+    found = literal(before) if isinstance(before, str) else None
+    if found is None or (len(path) == 3 and path[2] != _BY_NAME[path[0]]):
+        return value
+    units = {"unit": si_unit(found.unit)}
+    if found.unit != units["unit"]:
+        units["display_unit"] = found.unit
+    if is_short:
+        return {"value": value, **units}
+    part |= units | part
+    return value
 
 
 def _replace(data: Any, path: Path, value: object) -> bool:

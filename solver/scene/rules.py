@@ -24,8 +24,8 @@ class Place:
     """The parameter that is being defined; it is not suggested for its own value."""
 
 
-COORDINATES, LENGTH = ("x", "y", "z"), "length"
-"""Symbols of single places: of a point on a surface, and of a spring."""
+COORDINATES, LENGTH, ANGLE, RATE = ("x", "y", "z"), "length", "angle", "rate"
+"""Symbols of single places: of a point on a surface, of springs and dampers."""
 SETTING = Place(parameters=False, tunable=False)
 PARAMETER = PROPERTY = Place()
 GEOMETRY = Place(tunable=False)
@@ -34,7 +34,7 @@ LOAD = VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
 POTENTIAL = Place(levels=("position",))
 CONSTRAINT = Place(time=True, levels=("position",))
 OUTPUT = Place(time=True, levels=("position", "rate", "result"))
-ANYWHERE = replace(OUTPUT, own=(*COORDINATES, LENGTH))
+ANYWHERE = replace(OUTPUT, own=(*COORDINATES, LENGTH, ANGLE, RATE))
 """All that some place allows; a named expression is held against each place that uses it."""
 
 

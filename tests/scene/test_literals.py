@@ -317,6 +317,18 @@ def test_overrides_may_have_units(value):
     assert scene.points["W"].mass == 5.0
 
 
+@pytest.mark.parametrize("name", ["length", "parameters.length", "mass", "push"])
+def test_a_plain_number_in_place_of_a_literal_keeps_the_units(name):
+    scene, other = loads(WITH_UNITS), loads(WITH_UNITS, overrides={name: 1.5})
+    word = name.rpartition(".")[2]
+    for each in (scene, other):
+        part = {**each.parameters, **each.inputs}[word]
+        assert (part.unit, part.display_unit) == {
+            "length": ("m", "mm"), "mass": ("kg", "g"), "push": ("N", "kN"),
+        }[word]  # fmt: skip
+    assert other.values()[word] == 1.5
+
+
 def test_a_parameter_in_a_unit_that_nothing_uses_is_told():
     with pytest.warns(SceneWarning, match="parameters.spare: nothing depends on it"):
         loads(WITH_UNITS.replace("[parameters]", '[parameters]\nspare = "3 mm"'))

@@ -9,7 +9,9 @@ import holonom
 import solver
 from build_fmu import build
 from solver.scene import Force, SceneError, SceneWarning, loads
+from solver.scene.fields import fields_of
 from solver.scene.grammar import read
+from solver.scene.rules import ANYWHERE
 from solver.scene.scene import TABLES
 
 NAMED = """
@@ -209,3 +211,49 @@ def test_a_circle_by_way_of_a_parameter_is_named_in_order():
     )
     with pytest.raises(SceneError, match="calculated from itself: spin -> drift -> spin"):
         loads(text)
+
+
+def test_a_name_may_stand_for_symbols_of_one_place_alone():
+    """Of springs, dampers and surfaces; elsewhere both the place and the expression are told."""
+    text = """
+name = "own"
+dimension = 2
+[parameters]
+k = 3.0
+[expressions]
+stretch = "length - 1"
+stored = "k*stretch**2"
+drag = "2*rate + rate*abs(rate)"
+bowl = "y - x**2"
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 1], mass = 1 }
+[bodies]
+ground_plate = { position = [0, 0], mass = 1, inertia = 1 }
+[joints]
+hold = { type = "fixed", bodies = ["ground", "ground_plate"], position = [0, 0] }
+slope = { type = "point_on_surface", point = "A", surface = "bowl" }
+[forces]
+spring = { type = "spring", points = ["O", "A"], energy = "stored" }
+damper = { type = "damper", points = ["O", "A"], force = "drag" }
+"""
+    named = loads(text)
+    plain = text.replace('"stored"', '"(k*(length - 1)**2)"').replace(
+        '"drag"', '"(2*rate + rate*abs(rate))"'
+    )
+    plain = plain.replace('"bowl"', '"(y - x**2)"')
+    head, _, rest = plain.partition("[expressions]")
+    plain = loads(head + rest[rest.index("[points]") :])
+    assert named.forces == plain.forces
+    assert named.joints == plain.joints
+    with pytest.raises(SceneError) as caught:
+        loads(text.replace('energy = "stored"', 'stiffness = "drag"'))
+    (found,) = (x for x in caught.value.problems if x.location == "forces.spring.stiffness")
+    assert found.message == "unknown symbol 'rate' (in the expression 'drag')"
+
+
+def test_a_named_expression_may_mention_the_symbols_of_every_place():
+    parts = [part for table in TABLES.values() for part in table.types]
+    kinds = [field.kind for part in parts for field in fields_of(part).values()]
+    own = {word for kind in kinds for word in kind.place.own}
+    assert {"length", "rate", "angle"} <= own <= {*ANYWHERE.own}
