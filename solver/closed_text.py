@@ -50,7 +50,15 @@ WORDS = {"angle": "rad", "displacement": "m"}
 LINEAR, SPINS = ("vx", "vy", "vz"), ("wx", "wy", "wz", "angular_velocity")
 """Words of velocities and of angular velocities."""
 TABLES_WITH_PLACES = ("joints", "forces", "drivers", "contacts")
-TABLES_WITH_FORMULAS = ("constraints", "contacts", "forces", "drivers", "outputs", "joints")
+TABLES_WITH_FORMULAS = (
+    "expressions",
+    "constraints",
+    "contacts",
+    "forces",
+    "drivers",
+    "outputs",
+    "joints",
+)
 _TOKEN = re.compile(rf"#[^\n]*|{STRING.pattern}", re.DOTALL)
 
 

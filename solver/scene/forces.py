@@ -13,7 +13,18 @@ from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
-from solver.scene.rules import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
+from solver.scene.rules import (
+    ANGLE,
+    FORCE,
+    LENGTH,
+    LOAD,
+    NOT_NEGATIVE,
+    POSITIVE,
+    POTENTIAL,
+    PROPERTY,
+    RATE,
+    Place,
+)
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -49,7 +60,7 @@ class Spring(Part):
     """None where `energy` is given."""
     free_length: Annotated[Number | None, _quantity("m", text="as drawn unless given")] = None
     energy: Annotated[
-        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=("length",)))
+        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=(LENGTH,)))
     ] = None
     """Stored energy, an expression in the symbol ``length`` (m)."""
 
@@ -66,13 +77,13 @@ class Spring(Part):
             message = "the energy already defines the free length of the spring"
             draft.error((*path, "free_length"), message, "leave it out")
         mentions = () if given.energy in (None, BROKEN) else given.energy.mentions
-        if given.energy not in (None, BROKEN) and "length" not in {x.name for x in mentions}:
+        if given.energy not in (None, BROKEN) and LENGTH not in {x.name for x in mentions}:
             message = "mentions no 'length', the length of the spring in m"
             draft.error(energy, message, 'such as "50*(length - 1)**2"')
 
 
 def _law_of_rate(unit: str, word: str) -> kind.Quantity:
-    place = Place(time=True, levels=("position", "rate"), own=("rate", word))
+    place = Place(time=True, levels=("position", "rate"), own=(RATE, word))
     return kind.Quantity(unit, f"an expression in `rate`, and perhaps `{word}`", place=place)
 
 
@@ -85,7 +96,7 @@ def _check_damper(reader: "Reader", path: Path, given: Any, field: str, example:
     elif given.damping is not None and law is not None:
         message = f"a damper has a damping or a {field}, not both"
         draft.error((*path, field), message, "leave out one of them")
-    elif law not in (None, BROKEN) and "rate" not in {x.name for x in law.mentions}:
+    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions}:
         help = f'such as "{example}"'
         draft.error((*path, field), "mentions no 'rate', the rate of the damper", help)
 
@@ -100,7 +111,7 @@ class Damper(Part):
     points: Annotated[Ends, kind.TWO_ENDS]
     damping: Annotated[Number | None, _quantity("N.s/m", 1.0)] = None
     """None where `force` is given."""
-    force: Annotated[Number | None, _law_of_rate("N", "length")] = None
+    force: Annotated[Number | None, _law_of_rate("N", LENGTH)] = None
     """In the symbols ``rate`` (m/s, positive as it lengthens) and ``length`` (m)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
@@ -136,7 +147,7 @@ class TorsionDamper(Part):
     joint: Annotated[str, _JOINT]
     damping: Annotated[Number | None, _quantity("N.m.s/rad", 1.0)] = None
     """None where `torque` is given."""
-    torque: Annotated[Number | None, _law_of_rate("N.m", "angle")] = None
+    torque: Annotated[Number | None, _law_of_rate("N.m", ANGLE)] = None
     """In the symbols ``rate`` (rad/s) and ``angle`` (rad)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:

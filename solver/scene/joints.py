@@ -30,7 +30,14 @@ from solver.scene.couplings import (
 )
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import Part
-from solver.scene.friction import ABOUT, ALONG, FRICTION, FRICTION_ALONG, JointFriction
+from solver.scene.friction import (
+    ABOUT,
+    ALONG,
+    FRICTION,
+    FRICTION_ALONG,
+    FRICTION_ON_A_JOURNAL,
+    JointFriction,
+)
 from solver.scene.mistakes import Path
 from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, Offer
 from solver.scene.rules import NOT_ZERO
@@ -240,7 +247,7 @@ class Cylindrical(BodyJoint):
     only_in = (3, "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot")
 
     axis: Annotated[Vector | None, AXIS] = None
-    friction: Annotated[JointFriction | None, FRICTION] = None
+    friction: Annotated[JointFriction | None, FRICTION_ON_A_JOURNAL] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -287,7 +294,7 @@ class Screw(BodyJoint):
     only_in = (3, "in the plane write 'rack'")
 
     axis: Annotated[Vector | None, AXIS] = None
-    pitch: Annotated[Number, kind.Quantity("m per turn", rule=NOT_ZERO, example=0.005)]
+    pitch: Annotated[Number, kind.Quantity("m", "per turn", rule=NOT_ZERO, example=0.005)]
     """Advance of the second body."""
 
 

@@ -24,6 +24,7 @@ _WORDS = {
         contacts: collisions impacts obstacles
         parameters: variables constants params
         inputs: signals
+        expressions: formulas definitions terms
         profiles: tables curves splines characteristics lookups
         outputs: sensors results measurements measures
         experiment: simulation run
