@@ -28,7 +28,7 @@ from solver.runtime.layout import (
     measured_size,
 )
 from solver.runtime.model import Rule
-from solver.scene import Expr, ExpressionError, Number, Scene, SceneWarning
+from solver.scene import Expr, ExpressionError, Number, Scene, SceneWarning, symbols
 from solver.scene.reader import collector_paused
 
 STEEP = {CODE[name] for name in ("sqrt", "pow", "asin", "acos")}
@@ -92,7 +92,7 @@ def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:
 def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     """Return the parts of a scene and its model, whose numbers are not yet checked."""
     parts = build_mechanism(scene)
-    sensors = Sensors(parts)
+    sensors = Sensors(parts, _asked(scene))
     table = list(named(sensors))
     structure = Structure(parts.mechanism)
     known = Symbols(scene, sensors, table, structure)
@@ -148,6 +148,12 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     model.dependencies = dependencies(scene, structure, known, variables)
     model.scene = scene
     return parts, model
+
+
+def _asked(scene: Scene) -> frozenset[str]:
+    """Names that formulas of outputs mention, or that an FMU shall have as its ports."""
+    mentioned = (name for output in scene.outputs.values() for name in symbols(output.value))
+    return frozenset(mentioned) | frozenset(scene.fmu.outputs or ())
 
 
 def _settings(scene: Scene, *, unilateral: bool) -> dict[str, float | str | bool]:

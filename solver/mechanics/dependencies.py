@@ -42,6 +42,11 @@ OF_A_STEP = ("solver", "contact_solver")
 """Measurements that tell of the last step alone."""
 OF_THE_FORCES = ("rod_force", "multiplier", "driven_force", "reaction_force", "reaction_torque")
 """Measurements of forces that rows and drivers take."""
+ACCELERATIONS = (
+    *("acceleration", "place_acceleration"),
+    *("quantity_acceleration", "body_acceleration"),
+)
+"""Measurements of what forces bring about, at every order."""
 STORED = tuple(Ref("energy", place_in_whole("energy", x)) for x in ("potential", "total", "work"))
 """Energies that jump with what springs store: the jump is work."""
 ROW_RATE = Ref("residual", place_in_whole("constraint", "velocity"))
@@ -162,7 +167,8 @@ class _Search:
         """Held inputs that formulas read with which a measurement is taken, or that it answers."""
         if not self._held:
             return NOTHING
-        if ref.section in OF_THE_FORCES and self._tells_forces:
+        of_forces = ref.section in OF_THE_FORCES and self._tells_forces
+        if of_forces or ref.section in ACCELERATIONS:
             return self._directly(self._of_islands(self._pushed, ref))
         return self._directly(self._of(*self._read(ref)))
 
@@ -259,11 +265,11 @@ class _Search:
         """Nodes that a measurement is taken of."""
         mechanism, item = self._mechanism, ref.item
         match ref.section:
-            case "position" | "velocity" | "driven_force":
+            case "position" | "velocity" | "acceleration" | "driven_force":
                 return (item,)
-            case "place" | "place_velocity":
+            case "place" | "place_velocity" | "place_acceleration":
                 return mechanism.moving(mechanism.places[item])
-            case "quantity" | "quantity_rate":
+            case "quantity" | "quantity_rate" | "quantity_acceleration":
                 return mechanism.moving(*mechanism.quantities[item].forms)
             case "element_force":
                 return mechanism.joined(mechanism.elements[item])
@@ -277,7 +283,7 @@ class _Search:
             case "friction":
                 row = mechanism.frictions[item].rows[0]
                 return mechanism.joined(mechanism.velocity_rows[row])
-            case "quaternion" | "body_rate":
+            case "quaternion" | "body_rate" | "body_acceleration":
                 return mechanism.rigid[item]
             case "reaction_force" | "reaction_torque":
                 rows = mechanism.coincidences, mechanism.form_rows, mechanism.form_rows

@@ -51,8 +51,9 @@ from solver.scene.quantities import (
     turning,
 )
 
-Found: TypeAlias = Mapping[str, "Ref | Number | Values"]
-"""Value of each quantity of a part, by its word; components as a list."""
+Found: TypeAlias = Mapping[str, "Ref | Number | Values | Callable[[], Ref | Number | Values]"]
+"""Value of each quantity of a part, by its word; components as a list; what is measured on demand
+is made on demand."""
 
 
 SECTIONS = {"constraint": "residual"}
@@ -99,36 +100,56 @@ def _named(
     listed: bool = True,
 ) -> Iterator[Named]:  # fmt: skip
     """Name the values of a part."""
+    asks = name in sensors.asked_of
     for offer in offers:
         value = values.get(offer.word)
-        if value is None:
+        if value is None or (offer.on_demand and not asks):
             continue
+        names = [*offer.named(name, sensors.parts.scene.dimension, part)]
+        if offer.on_demand and sensors.asked.isdisjoint(full for full, _ in names):
+            continue
+        value = value() if callable(value) else value
         components = (value,) if isinstance(value, (Ref, float, int, Expr)) else value
-        names = offer.named(name, sensors.parts.scene.dimension, part)
         for (full, text), meaning in zip(names, components, strict=False):
-            yield Named(full, offer.unit, text, meaning, listed)
+            if not offer.on_demand or full in sensors.asked:
+                yield Named(full, offer.unit, text, meaning, listed)
 
 
 def _motion(sensors: Sensors, name: str, place: Combination) -> Iterator[Named]:
-    """Position and velocity of a place."""
+    """Position, velocity and acceleration of a place."""
     x, v = sensors.motion(place)
     listed = sensors.parts.mechanism.moves(place)
-    yield from _named(sensors, name, None, MOTION, {"{}": x, "v{}": v}, listed)
+    values: Found = {"{}": x, "v{}": v, "a{}": lambda: sensors.acceleration(place)}
+    yield from _named(sensors, name, None, MOTION, values, listed)
 
 
 def _turn(sensors: Sensors, name: str) -> Found:
     parts, mechanism = sensors.parts, sensors.parts.mechanism
     frame = parts.frames.get(name)
     if mechanism.dim == 2:
-        return _of_quantity("angle", "angular_velocity", parts.body_angle(name))
+        return _of_angle(sensors, parts.body_angle(name))
     if not isinstance(frame, RigidFrame):
         return {}
     body = mechanism.bodies[frame.directors[0]]
-    return {"q{}": references("quaternion", body, 4), "w{}": references("body_rate", body, 3)}
+    return {
+        "q{}": references("quaternion", body, 4),
+        "w{}": references("body_rate", body, 3),
+        "wd{}": lambda: sensors.accelerations("body_acceleration", body, 3),
+    }
 
 
-def _of_quantity(word: str, rate: str, quantity: int) -> dict[str, Any]:
-    return {word: Ref("quantity", quantity), rate: Ref("quantity_rate", quantity)}
+def _of_angle(sensors: Sensors, quantity: int) -> dict[str, Any]:
+    return _of_quantity(sensors, quantity, "angle", "angular_velocity", "angular_acceleration")
+
+
+def _of_quantity(sensors: Sensors, quantity: int, *words: str) -> dict[str, Any]:
+    """Return a quantity, its rate and its second derivative, by their words."""
+    word, rate, acceleration = words
+    return {
+        word: Ref("quantity", quantity),
+        rate: Ref("quantity_rate", quantity),
+        acceleration: lambda: sensors.accelerations("quantity_acceleration", quantity, 1),
+    }
 
 
 # -------------------------------------------------------------------------------------- joints
@@ -139,9 +160,10 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
     found = sensors.parts.joints[name]
     values = _reaction(sensors, joint, found)
     if found.angle is not None:
-        values |= _of_quantity("angle", "angular_velocity", found.angle)
+        values |= _of_angle(sensors, found.angle)
     if found.displacement is not None:
-        values |= _of_quantity("displacement", "velocity", found.displacement)
+        words = "displacement", "velocity", "acceleration"
+        values |= _of_quantity(sensors, found.displacement, *words)
     if found.friction is not None:
         words = "friction", "slip", "friction_mode"
         values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}

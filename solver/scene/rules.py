@@ -31,7 +31,7 @@ FORCE = DRIVER = Place(time=True)
 LOAD = VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
 POTENTIAL = Place(levels=("position",))
 CONSTRAINT = Place(time=True, levels=("position",))
-OUTPUT = Place(time=True, levels=("position", "rate", "result"))
+OUTPUT = Place(time=True, levels=("position", "rate", "acceleration", "result"))
 
 
 @dataclass(frozen=True, slots=True)
