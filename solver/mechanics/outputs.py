@@ -8,7 +8,7 @@ is an expression over those.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import reduce
+from functools import partial, reduce
 from itertools import count
 from math import pi
 from typing import Any, TypeAlias
@@ -18,7 +18,9 @@ from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
+from solver.mechanics.instruments import of_a_sensor
 from solver.mechanics.parts import JointParts
+from solver.mechanics.powers import along, of_a_load, of_a_potential
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
 from solver.scene import (
@@ -27,6 +29,7 @@ from solver.scene import (
     Constraint,
     Distance,
     Expr,
+    Force,
     Gear,
     Gravitation,
     JointTorque,
@@ -39,6 +42,9 @@ from solver.scene import (
     Screw,
     Spring,
     Stop,
+    Torque,
+    TorsionDamper,
+    TorsionSpring,
 )
 from solver.scene.expression import operate, select, symbol
 from solver.scene.quantities import (
@@ -166,12 +172,18 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
         values |= _of_quantity(sensors, found.displacement, *words)
     if found.friction is not None:
         words = "friction", "slip", "friction_mode"
-        values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}
+        force, slip, mode = (Ref("friction", found.friction, k) for k in range(3))
+        values |= dict(zip(words, (force, slip, mode), strict=True))
+        values["power"] = lambda: -1.0 * _size(sensors, force) * _size(sensors, slip)
     if isinstance(joint, Gear) and joint.backlash is not None:
         values |= _of_a_contact(sensors, name, joint)
         pushes = [sensors.value(Ref("contact", k, FORCE)) for k in sensors.parts.contacts[name]]
         values["torque"] = pushes[0] - pushes[1]
     return values
+
+
+def _size(sensors: Sensors, ref: Ref) -> Number:
+    return operate("abs", sensors.value(ref))
 
 
 def _reaction(sensors: Sensors, joint: Part, found: JointParts) -> dict[str, Any]:
@@ -217,16 +229,26 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     """Length and force, torque or energy of a force."""
     parts = sensors.parts
     if name in parts.links:
-        length = Ref("quantity", parts.mechanism.length(parts.links[name]))
-        return {"length": length, "force": _tension(sensors, name, force, length)}
+        line = parts.mechanism.length(parts.links[name])
+        length = Ref("quantity", line)
+        tension = _tension(sensors, name, force, length)
+        pull = sensors.value(tension) if isinstance(tension, Ref) else tension
+        power = partial(along, sensors, -1.0 * pull, line)
+        return {"length": length, "force": tension, "power": power}
     if isinstance(force, Potential):
-        return {"energy": force.value}
-    torque = Ref("element_force", parts.elements[name])
+        return {"energy": force.value, "power": partial(of_a_potential, sensors, force)}
+    if isinstance(force, (Force, Torque)):
+        return {"power": partial(of_a_load, sensors, force)}
+    assert isinstance(force, (TorsionSpring, TorsionDamper, JointTorque))
+    torque, angle = Ref("element_force", parts.elements[name]), parts.joints[force.joint].angle
+    assert angle is not None
     if not isinstance(force, JointTorque):
-        return {"torque": torque}
+        power = partial(along, sensors, -1.0 * sensors.value(torque), angle)
+        return {"torque": torque, "power": power}
     rubs, sign = parts.rubbing.get(name, (None, 0.0))
     friction = 0.0 if rubs is None else sign * sensors.value(Ref("friction", rubs, 0))
-    return {"torque": friction - sensors.value(torque)}
+    value = friction - sensors.value(torque)
+    return {"torque": value, "power": partial(along, sensors, value, angle)}
 
 
 def _tension(
@@ -349,5 +371,6 @@ _VALUES: dict[str, Callable[[Sensors, str, Any], Found]] = {
     "constraints": _of_a_constraint,
     "forces": _of_a_force,
     "drivers": _of_a_driver,
+    "sensors": of_a_sensor,
 }
 """Values of the parts of each table."""

@@ -125,6 +125,14 @@ class Sensors:
         x, v = (references(section, item, mechanism.dim) for section in both)
         return x, v
 
+    def velocity(self, place: Combination) -> Vector:
+        """Return the velocity of a place, or the rate of a link, for expressions."""
+        return self.numbers(self.motion(place)[1])
+
+    def numbers(self, values: Values) -> Vector:
+        """Return measurements as they stand in expressions."""
+        return tuple(self.value(x) if isinstance(x, Ref) else x for x in values)
+
     def acceleration(self, place: Combination) -> Values:
         """Return the acceleration of a place, likewise."""
         mechanism = self.parts.mechanism

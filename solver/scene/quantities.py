@@ -94,6 +94,13 @@ def angular_acceleration(axes: Axes = SCALAR) -> Offer:
     return Offer("angular_acceleration", "rad/s2", text, "acceleration", axes, on_demand=True)
 
 
+POWER = Offer(
+    "power", "W", "power of {name}: positive while it gives energy to the mechanism",
+    on_demand=True,
+)  # fmt: skip
+"""Of a force."""
+
+
 def _results(unit: str, texts: Mapping[str, str]) -> tuple[Offer, ...]:
     return tuple(Offer(word, unit, text) for word, text in texts.items())
 

@@ -26,6 +26,7 @@ from solver.scene.mistakes import Problem, SceneError, Source
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.rules import OUTPUT
+from solver.scene.sensors import SENSORS
 from solver.scene.settings import Experiment, Ports, SolverSettings
 from solver.scene.shapes import SHAPES
 from solver.scene.surfaces import SURFACES
@@ -99,6 +100,7 @@ class Scene(Part):
     ] = field(default_factory=dict)
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
     drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)
+    sensors: Annotated[dict[str, Part], _table("sensor", SENSORS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)
     solver: Annotated[SolverSettings, _table("", SolverSettings)] = field(
         default_factory=SolverSettings

@@ -104,6 +104,28 @@ HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
     return status;
 }
 
+/* Second derivative of quantity j with accelerations a. Axes of an angle keep their lengths: by what
+   their rates are off, an error of the step, it does not turn. */
+HM_SELDOM static double quantity_acceleration(const context *c, int32_t j, const double *a)
+{
+    const holonom_model *m = c->m;
+    const int is_angle = m->quantity_kind[j] == QUANTITY_ANGLE;
+    double s[2] = {0.0, 0.0}, rate[2] = {0.0, 0.0}, vu[DIM], vw[DIM], turn, change;
+    for (int i = 0; i < (is_angle ? 2 : 1); i++) {
+        const int32_t f = m->quantity_form[2 * j + i];
+        double *u = c->k.u0 + DIM * f, *w = c->k.w0 + DIM * f;
+        link_at_state(c, f, u, w);
+        link_of(c, f, c->s.v, vu, vw);
+        s[i] = dot(u, w);
+        rate[i] = dot(u, vw) + dot(w, vu);
+    }
+    quantity_at(c, j, c->s.q, c->s.q_low, c->s.v, &turn);
+    quantity_at(c, j, c->s.q, c->s.q_low, a, &change);
+    const double size2 = s[0] * s[0] + s[1] * s[1],
+                 lengthens = is_angle && size2 > 0.0 ? (s[0] * rate[0] + s[1] * rate[1]) / size2 : 0.0;
+    return change + second_rate(c, j) + 2.0 * turn * lengthens;
+}
+
 /* Accelerations, which are those of the state whatever the forces are, of nodes, places, quantities
    and bodies; no number where the state has none. Whether multipliers and forces on driven nodes
    are those of the state as well. */
@@ -120,15 +142,8 @@ HM_SELDOM static int measure_accelerations(const context *measured, const hm_mea
     for (int32_t k = 0; k < DIM * c->n_moving && status; k++) y->acceleration[k] = NAN;
     for (int32_t j = 0; j < m->n_places; j++)
         link_of(c, m->place_form[j], y->acceleration, y->place_acceleration + DIM * j, w);
-    for (int32_t j = 0; j < m->n_quantities; j++) {
-        const int forms = m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1;
-        for (int32_t i = 0; i < forms; i++) {
-            const int32_t f = m->quantity_form[2 * j + i];
-            link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
-        }
-        quantity_at(c, j, c->s.q, c->s.q_low, y->acceleration, y->quantity_acceleration + j);
-        y->quantity_acceleration[j] += second_rate(c, j);
-    }
+    for (int32_t j = 0; j < m->n_quantities; j++)
+        y->quantity_acceleration[j] = quantity_acceleration(c, j, y->acceleration);
 #if DIM == 3
     for (int32_t j = 0; j < n_bodies(m); j++) {
         const int32_t first = 3 * m->body_node[j];
