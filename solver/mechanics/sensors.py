@@ -62,8 +62,7 @@ class Sensors:
 
     parts: Parts
     asked: frozenset[str] = frozenset()
-    """Names of quantities in formulas of outputs and among the outputs of an FMU: what is measured
-    on demand is measured for these."""
+    """Names of quantities that are wanted: what is measured on demand is measured for these."""
     refs: dict[str, Ref] = field(default_factory=dict)
     """Measurements in expressions, by their symbols."""
     _places: dict[int, int] = field(default_factory=dict)

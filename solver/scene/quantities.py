@@ -47,8 +47,8 @@ class Offer:
     level: Level = "result"
     axes: Axes = SCALAR
     on_demand: bool = False
-    """Whether it is measured, and a variable, only where the scene names it: in formulas of outputs
-    or in the outputs of [fmu]."""
+    """Whether it is measured, and a variable, only where it is named: in formulas of outputs, among
+    the outputs of [fmu], in a plot, or by whoever assembles the scene."""
 
     def words(self, dimension: int) -> Iterator[tuple[str, str]]:
         """Axis and word of each component in a scene of this dimension."""
