@@ -126,6 +126,16 @@ class Scene(Part):
             values[name] = float((given or {}).get(name, evaluate(numbers[name], values)))
         return values
 
+    def results(self) -> list[str]:
+        """Names of the outputs and of the values of sensors: what reports plot."""
+        offered = (
+            (name, offer)
+            for name, sensor in self.sensors.items()
+            for offer in sensor.offered(sensor.given())
+        )
+        values = (x for name, offer in offered for x, _ in offer.named(name, self.dimension))
+        return [*self.outputs, *values]
+
     def sentences(self) -> tuple[str, ...]:
         """Each warning as it is reported, with its line and help."""
         return tuple(map(self.source.report, self.warnings))
