@@ -136,6 +136,10 @@ class Relative(Part):
                 message = "either 'bodies' or 'points' is possible, not both"
             help = 'write bodies = ["arm", "load"], or points = ["arm.tip", "load"]'
             reader.draft.error(path, message, help)
+        elif given.points is None and given.at is not None:
+            message = "the place of an end of 'points', of which there are none"
+            help = "leave it out: bodies are seen at their origins"
+            reader.draft.error((*path, "at"), message, help)
 
 
 SENSORS: dict[str, type[Part]] = {sensor.type: sensor for sensor in (Imu, Relative)}
