@@ -96,7 +96,7 @@ _TURN = (
         axes=SCALAR_IN_THE_PLANE,
     ),
     Offer(
-        "psi_{}", "rad", "rotation vector in {name}, from the first to the second, component {axis}",
+        "psi_{}", "rad", "rotation vector in {name}, from first to second, component {axis}",
         axes=ROTATION_IN_SPACE,
     ),
     Offer(

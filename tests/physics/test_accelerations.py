@@ -82,15 +82,16 @@ def test_a_driven_arm_has_the_acceleration_of_its_driver(steps):
         inertia = [0.1, 0.1, 0.1]
         position = [0, 0, 0]
         points = { tip = [0.5, 0, 0.2] }
-        [joints]
-        pin = { type = "revolute", bodies = ["ground", "arm"], position = [0, 0, 0], axis = [0, 0, 1] }
+        [joints.pin]
+        type = "revolute"
+        bodies = ["ground", "arm"]
+        position = [0, 0, 0]
+        axis = [0, 0, 1]
         [drivers]
         motor = { type = "angle", joint = "pin", value = "0.4*t + 0.9*t**2" }
         """
     names = ["arm.tip.ax", "arm.tip.ay", "arm.tip.az", "arm.wdx", "arm.wdy", "arm.wdz"]
-    ax, ay, az, wdx, wdy, wdz, of_joint = columns(
-        text, steps, [*names, "pin.angular_acceleration"]
-    )
+    ax, ay, az, wdx, wdy, wdz, of_joint = columns(text, steps, [*names, "pin.angular_acceleration"])
     t = 0.1 * np.arange(11)
     angle, rate = 0.4 * t + 0.9 * t**2, 0.4 + 1.8 * t
     bound = 1e-3 if "order = 2" in steps else 1e-7  # velocities between drawn places are of order 2
@@ -162,7 +163,8 @@ a = { value = "A.ax" }
 
 
 @pytest.mark.parametrize(
-    ("steps", "mode"), [*((steps, "located") for steps in STEPS.values()), (STEPS["order 2"], "stepped")]
+    ("steps", "mode"),
+    [*((steps, "located") for steps in STEPS.values()), (STEPS["order 2"], "stepped")],
 )
 def test_a_block_slides_at_once_where_its_push_beats_friction(steps, mode):
     text = f'name = "sled"\n{SLED}\n[solver]\n{steps}\ncontact_mode = "{mode}"'

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -28,7 +30,7 @@ hinge = { type = "revolute", bodies = ["ground", "table"], position = [0, 0, 0],
 """
 
 
-def run(text: str, **options: float) -> solver.Trajectory:
+def run(text: str, **options: Any) -> solver.Trajectory:
     return solver.simulate(solver.loads(text), stop_time=1.0, step_size=0.1, **options)
 
 
@@ -42,8 +44,12 @@ def test_an_imu_on_a_turntable_shows_the_centripetal_force_and_the_weight(option
     """Numbers of a hand calculation: 3^2 0.2 = 1.8 m/s2 towards the axis, 9.81 up, 3 rad/s."""
     text = """
         imu = { type = "imu", body = "table", at = [0.2, 0, 0.1] }
-        side = { type = "imu", body = "table", at = [0.2, 0, 0.1], orientation = { axis = [0, 0, 1], angle = "pi/2" } }
         free = { type = "imu", body = "load" }
+        [sensors.side]
+        type = "imu"
+        body = "table"
+        at = [0.2, 0, 0.1]
+        orientation = { axis = [0, 0, 1], angle = "pi/2" }
         """
     found = run(TURNTABLE + text, **options)
     words = "fx", "fy", "fz", "wx", "wy", "wz"
@@ -87,7 +93,7 @@ def test_angular_velocity_in_body_axes_is_that_of_eulers_equations():
 
 
 def test_a_place_seen_from_a_turntable_moves_as_its_components_do():
-    """x = R'(r - r_0), dx/dt = R'(v - omega x r): the table turns by 3 t, the load flies freely."""
+    """The rate of R'r is R'(v - omega x r): the table turns by 3 t, the load flies freely."""
     text = """
         seen = { type = "relative", bodies = ["table", "load"], axes = "table" }
         end = { type = "relative", points = ["ground", "load"], at = [0, 0, 1], axes = "table" }
@@ -177,11 +183,14 @@ center_of_mass = [0.3, 0.1]
 orientation = -0.7
 angular_velocity = 1.3
 points = { tip = [1.0, 0.2], centre = [0.3, 0.1] }
-[joints]
-hinge = { type = "revolute", bodies = ["ground", "rod"], position = [3, 0], friction = { coefficient = 0.2, radius = 0.05, preload = 0.1 } }
+[joints.hinge]
+type = "revolute"
+bodies = ["ground", "rod"]
+position = [3, 0]
+friction = { coefficient = 0.2, radius = 0.05, preload = 0.1 }
 [forces]
 spring = { type = "spring", points = ["B", "C"], stiffness = 30, free_length = 0.8 }
-hardening = { type = "spring", points = ["C", "rod.tip"], energy = "3*(length - 1)**2 + (length - 1)**4" }
+stiff = { type = "spring", points = ["C", "rod.tip"], energy = "3*(length - 1)**2 + length**4" }
 damper = { type = "damper", points = ["B", "rod.tip"], damping = 0.4 }
 pull = { type = "gravitation", points = ["B", "C"], constant = 2.0 }
 twist = { type = "torsion_spring", joint = "hinge", stiffness = 3, free_angle = 0.3 }
@@ -229,7 +238,7 @@ def power_of_inertia(masses: dict[str, float], gravity: list[float]) -> str:
 
 
 def test_powers_of_all_forces_in_the_plane_are_what_masses_gain():
-    """sum P = sum m (a - g) . v + J alpha omega: rows and drivers that rest give nothing.
+    """They add up to m (a - g) . v of all masses and J alpha omega: rows that rest give nothing.
 
     A bar from O, of 1 kg, moves as a third of it does at its end, and weighs half there.
     """

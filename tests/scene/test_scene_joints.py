@@ -288,8 +288,11 @@ def test_quantities_in_space(name, words):
     [
         ("j1", "angle angular_velocity angular_acceleration force.x force.y"),
         ("j2", "force.x force.y"),
-        ("j3", "displacement velocity acceleration force.x force.y torque.z"
-               " friction slip friction_mode power"),
+        (
+            "j3",
+            "displacement velocity acceleration force.x force.y torque.z"
+            " friction slip friction_mode power",
+        ),
         ("j4", "force.x force.y torque.z"),
         ("b2", "x y vx vy ax ay angle angular_velocity angular_acceleration"),
         ("n1", "gap force mode impacts impulse friction slip"),

@@ -62,8 +62,8 @@ static int tells_forces(const context *c)
            && (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
 }
 
-/* Likewise, as the state asks for them, beginning with those that are there, and accelerations a (n,
-   overwritten); where a law jumps now, on the side that it is on now, as outputs by a formula.
+/* Likewise, as the state asks for them, beginning with those that are there, and accelerations a
+   (n, overwritten); where a law jumps now, on the side that it is on now, as outputs by a formula.
    State and laws stay as they are. */
 HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y, double *a)
 {
@@ -104,8 +104,8 @@ HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
     return status;
 }
 
-/* Second derivative of quantity j with accelerations a. Axes of an angle keep their lengths: by what
-   their rates are off, an error of the step, it does not turn. */
+/* Second derivative of quantity j with accelerations a. Axes of an angle keep their lengths: by
+   what their rates are off, an error of the step, it does not turn. */
 HM_SELDOM static double quantity_acceleration(const context *c, int32_t j, const double *a)
 {
     const holonom_model *m = c->m;
@@ -121,9 +121,10 @@ HM_SELDOM static double quantity_acceleration(const context *c, int32_t j, const
     }
     quantity_at(c, j, c->s.q, c->s.q_low, c->s.v, &turn);
     quantity_at(c, j, c->s.q, c->s.q_low, a, &change);
-    const double size2 = s[0] * s[0] + s[1] * s[1],
-                 lengthens = is_angle && size2 > 0.0 ? (s[0] * rate[0] + s[1] * rate[1]) / size2 : 0.0;
-    return change + second_rate(c, j) + 2.0 * turn * lengthens;
+    change += second_rate(c, j);
+    const double size2 = s[0] * s[0] + s[1] * s[1];
+    if (!is_angle || !(size2 > 0.0)) return change;
+    return change + 2.0 * turn * (s[0] * rate[0] + s[1] * rate[1]) / size2;
 }
 
 /* Lets directors have the velocities of rigid bodies: those of equal steps are off by an error of
@@ -297,7 +298,8 @@ void holonom_group_ends(const holonom_model *m, double *number, int32_t *end)
     hm_measured y;
     hm_map_measured(m, number + m->measured_at, &y);
     const double *const first_behind[] = {y.rod_force, y.quaternion, y.reaction_force, y.energy,
-                                          y.momentum,  y.solver,     y.contact,        y.acceleration};
+                                          y.momentum,  y.solver,     y.contact,
+                                          y.acceleration};
     for (int k = 0; k < HOLONOM_GROUPS - 1; k++) end[k] = (int32_t)(first_behind[k] - number);
     end[HOLONOM_GROUPS - 1] = m->n_numbers;
 }
