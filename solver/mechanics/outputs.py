@@ -240,8 +240,12 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     if isinstance(force, (Force, Torque)):
         return {"power": partial(of_a_load, sensors, force)}
     assert isinstance(force, (TorsionSpring, TorsionDamper, JointTorque))
-    torque, angle = Ref("element_force", parts.elements[name]), parts.joints[force.joint].angle
+    angle = parts.joints[force.joint].angle
     assert angle is not None
+    if name in parts.force_laws:
+        torque = _of_law(sensors, name)
+        return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
+    torque = Ref("element_force", parts.elements[name])
     if not isinstance(force, JointTorque):
         power = partial(along, sensors, -1.0 * sensors.value(torque), angle)
         return {"torque": torque, "power": power}
@@ -251,6 +255,15 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     return {"torque": value, "power": partial(along, sensors, value, angle)}
 
 
+def _of_law(sensors: Sensors, name: str) -> Number:
+    """Return a force that reads the motion, positive where it draws its quantity together."""
+    law, quantity, word = sensors.parts.force_laws[name]
+    value, rate = (sensors.value(Ref(x, quantity)) for x in ("quantity", "quantity_rate"))
+    force = with_symbols(law, {symbol(word): value, symbol("rate"): rate})
+    rubs, sign = sensors.parts.rubbing.get(name, (None, 0.0))
+    return force if rubs is None else force - sign * sensors.value(Ref("friction", rubs, 0))
+
+
 def _tension(
     sensors: Sensors, name: str, force: Part, length: Ref
 ) -> Ref | Number:  # fmt: skip
@@ -258,6 +271,8 @@ def _tension(
     if isinstance(force, Gravitation):
         value = sensors.value(length)
         return force.constant * force.masses[0] * force.masses[1] / (value * value)
+    if name in sensors.parts.force_laws:
+        return _of_law(sensors, name)
     if not isinstance(force, Spring) or force.energy is None:
         return Ref("element_force", sensors.parts.elements[name])
     slope = derivative(force.energy, "length")

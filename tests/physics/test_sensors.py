@@ -192,6 +192,8 @@ friction = { coefficient = 0.2, radius = 0.05, preload = 0.1 }
 spring = { type = "spring", points = ["B", "C"], stiffness = 30, free_length = 0.8 }
 stiff = { type = "spring", points = ["C", "rod.tip"], energy = "3*(length - 1)**2 + length**4" }
 damper = { type = "damper", points = ["B", "rod.tip"], damping = 0.4 }
+law = { type = "damper", points = ["C", "rod.tip"], force = "0.3*rate + 0.2*rate*abs(rate)" }
+brake = { type = "torsion_damper", joint = "hinge", torque = "0.1*rate**3" }
 pull = { type = "gravitation", points = ["B", "C"], constant = 2.0 }
 twist = { type = "torsion_spring", joint = "hinge", stiffness = 3, free_angle = 0.3 }
 drag = { type = "torsion_damper", joint = "hinge", damping = 0.2 }
