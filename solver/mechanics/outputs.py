@@ -8,7 +8,7 @@ is an expression over those.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import reduce
+from functools import partial, reduce
 from itertools import count
 from math import pi
 from typing import Any, TypeAlias
@@ -19,7 +19,9 @@ from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
+from solver.mechanics.instruments import of_a_sensor
 from solver.mechanics.parts import JointParts
+from solver.mechanics.powers import along, of_a_load, of_a_potential
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
 from solver.runtime.layout import LEAF_RATE, LEAF_VALUE
@@ -30,6 +32,7 @@ from solver.scene import (
     Constraint,
     Distance,
     Expr,
+    Force,
     Gear,
     Gravitation,
     JointTorque,
@@ -42,6 +45,9 @@ from solver.scene import (
     Screw,
     Spring,
     Stop,
+    Torque,
+    TorsionDamper,
+    TorsionSpring,
 )
 from solver.scene.expression import operate, select, symbol
 from solver.scene.quantities import (
@@ -54,8 +60,9 @@ from solver.scene.quantities import (
     turning,
 )
 
-Found: TypeAlias = Mapping[str, "Ref | Number | Values"]
-"""Value of each quantity of a part, by its word; components as a list."""
+Found: TypeAlias = Mapping[str, "Ref | Number | Values | Callable[[], Ref | Number | Values]"]
+"""Value of each quantity of a part, by its word; components as a list; what is measured on demand
+is made on demand."""
 
 
 SECTIONS = {"constraint": "residual"}
@@ -102,36 +109,56 @@ def _named(
     listed: bool = True,
 ) -> Iterator[Named]:  # fmt: skip
     """Name the values of a part."""
+    asks = name in sensors.asked_of
     for offer in offers:
         value = values.get(offer.word)
-        if value is None:
+        if value is None or (offer.on_demand and not asks):
             continue
+        names = [*offer.named(name, sensors.parts.scene.dimension, part)]
+        if offer.on_demand and sensors.asked.isdisjoint(full for full, _ in names):
+            continue
+        value = value() if callable(value) else value
         components = (value,) if isinstance(value, (Ref, float, int, Expr)) else value
-        names = offer.named(name, sensors.parts.scene.dimension, part)
         for (full, text), meaning in zip(names, components, strict=False):
-            yield Named(full, offer.unit, text, meaning, listed)
+            if not offer.on_demand or full in sensors.asked:
+                yield Named(full, offer.unit, text, meaning, listed)
 
 
 def _motion(sensors: Sensors, name: str, place: Combination) -> Iterator[Named]:
-    """Position and velocity of a place."""
+    """Position, velocity and acceleration of a place."""
     x, v = sensors.motion(place)
     listed = sensors.parts.mechanism.moves(place)
-    yield from _named(sensors, name, None, MOTION, {"{}": x, "v{}": v}, listed)
+    values: Found = {"{}": x, "v{}": v, "a{}": lambda: sensors.acceleration(place)}
+    yield from _named(sensors, name, None, MOTION, values, listed)
 
 
 def _turn(sensors: Sensors, name: str) -> Found:
     parts, mechanism = sensors.parts, sensors.parts.mechanism
     frame = parts.frames.get(name)
     if mechanism.dim == 2:
-        return _of_quantity("angle", "angular_velocity", parts.body_angle(name))
+        return _of_angle(sensors, parts.body_angle(name))
     if not isinstance(frame, RigidFrame):
         return {}
     body = mechanism.bodies[frame.directors[0]]
-    return {"q{}": references("quaternion", body, 4), "w{}": references("body_rate", body, 3)}
+    return {
+        "q{}": references("quaternion", body, 4),
+        "w{}": references("body_rate", body, 3),
+        "wd{}": lambda: sensors.accelerations("body_acceleration", body, 3),
+    }
 
 
-def _of_quantity(word: str, rate: str, quantity: int) -> dict[str, Any]:
-    return {word: Ref("quantity", quantity), rate: Ref("quantity_rate", quantity)}
+def _of_angle(sensors: Sensors, quantity: int) -> dict[str, Any]:
+    return _of_quantity(sensors, quantity, "angle", "angular_velocity", "angular_acceleration")
+
+
+def _of_quantity(sensors: Sensors, quantity: int, *words: str) -> dict[str, Any]:
+    """Return a quantity, its rate and its second derivative, by their words."""
+    word, rate, acceleration = words
+    return {
+        word: Ref("quantity", quantity),
+        rate: Ref("quantity_rate", quantity),
+        acceleration: lambda: sensors.accelerations("quantity_acceleration", quantity, 1),
+    }
 
 
 # -------------------------------------------------------------------------------------- joints
@@ -142,17 +169,24 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
     found = sensors.parts.joints[name]
     values = _reaction(sensors, joint, found)
     if found.angle is not None:
-        values |= _of_quantity("angle", "angular_velocity", found.angle)
+        values |= _of_angle(sensors, found.angle)
     if found.displacement is not None:
-        values |= _of_quantity("displacement", "velocity", found.displacement)
+        words = "displacement", "velocity", "acceleration"
+        values |= _of_quantity(sensors, found.displacement, *words)
     if found.friction is not None:
         words = "friction", "slip", "friction_mode"
-        values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}
+        force, slip, mode = (Ref("friction", found.friction, k) for k in range(3))
+        values |= dict(zip(words, (force, slip, mode), strict=True))
+        values["power"] = lambda: -1.0 * _size(sensors, force) * _size(sensors, slip)
     if isinstance(joint, Gear) and joint.backlash is not None:
         values |= _of_a_contact(sensors, name, joint)
         pushes = [sensors.value(Ref("contact", k, FORCE)) for k in sensors.parts.contacts[name]]
         values["torque"] = pushes[0] - pushes[1]
     return values
+
+
+def _size(sensors: Sensors, ref: Ref) -> Number:
+    return operate("abs", sensors.value(ref))
 
 
 def _reaction(sensors: Sensors, joint: Part, found: JointParts) -> dict[str, Any]:
@@ -200,18 +234,30 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     if isinstance(force, Actuator):
         return _of_an_actuator(sensors, name, force)
     if name in parts.links:
-        length = Ref("quantity", parts.mechanism.length(parts.links[name]))
-        return {"length": length, "force": _tension(sensors, name, force, length)}
+        line = parts.mechanism.length(parts.links[name])
+        length = Ref("quantity", line)
+        tension = _tension(sensors, name, force, length)
+        pull = sensors.value(tension) if isinstance(tension, Ref) else tension
+        power = partial(along, sensors, -1.0 * pull, line)
+        return {"length": length, "force": tension, "power": power}
     if isinstance(force, Potential):
-        return {"energy": force.value}
+        return {"energy": force.value, "power": partial(of_a_potential, sensors, force)}
+    if isinstance(force, (Force, Torque)):
+        return {"power": partial(of_a_load, sensors, force)}
+    assert isinstance(force, (TorsionSpring, TorsionDamper, JointTorque))
+    angle = parts.joints[force.joint].angle
+    assert angle is not None
     if name in parts.force_laws:
-        return {"torque": _of_law(sensors, name)}
+        torque = _of_law(sensors, name)
+        return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
     torque = Ref("element_force", parts.elements[name])
     if not isinstance(force, JointTorque):
-        return {"torque": torque}
+        power = partial(along, sensors, -1.0 * sensors.value(torque), angle)
+        return {"torque": torque, "power": power}
     rubs, sign = parts.rubbing.get(name, (None, 0.0))
     friction = 0.0 if rubs is None else sign * sensors.value(Ref("friction", rubs, 0))
-    return {"torque": friction - sensors.value(torque)}
+    value = friction - sensors.value(torque)
+    return {"torque": value, "power": partial(along, sensors, value, angle)}
 
 
 def _of_law(sensors: Sensors, name: str) -> Number:
@@ -367,5 +413,6 @@ _VALUES: dict[str, Callable[[Sensors, str, Any], Found]] = {
     "constraints": _of_a_constraint,
     "forces": _of_a_force,
     "drivers": _of_a_driver,
+    "sensors": of_a_sensor,
 }
 """Values of the parts of each table."""

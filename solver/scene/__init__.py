@@ -68,6 +68,7 @@ from solver.scene.parameters import Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.reader import load, loads
 from solver.scene.scene import Output, Scene, json_schema
+from solver.scene.sensors import Imu, Relative
 from solver.scene.settings import Experiment, SolverSettings
 from solver.scene.shapes import (
     BoxContact,

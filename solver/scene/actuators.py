@@ -9,14 +9,13 @@ from solver.scene.expression import Number
 from solver.scene.fields import Part, PointReference
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
-from solver.scene.rules import NOT_ZERO, POSITIVE, Place, Rule
+from solver.scene.rules import MOTOR_SPEED, NOT_ZERO, POSITIVE, RATE, Place, Rule
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
 
 _COORDINATES = "points", "joint", "guide"
-_OWN = "rate", "motor_speed"
-_LAW = Place(time=True, levels=("position", "rate"), own=_OWN)
+_LAW = Place(time=True, levels=("position", "rate"), own=(RATE, MOTOR_SPEED))
 _PART_OF_ONE = Rule(lambda x: 0.0 < x <= 1.0, "above 0, and at most 1", relation=">")
 _ALONG = Offer("force", "N", "force of {name}, positive where it pushes its ends apart")
 _ON_A_LINE = Offer("length", "m", "length of {name}"), _ALONG

@@ -12,7 +12,7 @@ from solver.scene.actuators import Actuator
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
-from solver.scene.quantities import Offer
+from solver.scene.quantities import POWER, Offer
 from solver.scene.rules import (
     ANGLE,
     FORCE,
@@ -34,6 +34,7 @@ Ends: TypeAlias = tuple[PointReference, PointReference]
 _ON_A_LINE = (
     Offer("length", "m", "length of {name}"),
     Offer("force", "N", "force in {name}, positive in tension: it pulls its ends together"),
+    POWER,
 )
 _AGAINST = Offer(
     "torque",
@@ -128,7 +129,7 @@ class TorsionSpring(Part):
     """A torsion spring at a joint that has an angle: stiffness * (angle - free_angle)."""
 
     type = "torsion_spring"
-    offers = (_AGAINST,)
+    offers = (_AGAINST, POWER)
 
     joint: Annotated[str, _JOINT]
     stiffness: Annotated[Number, _quantity("N.m/rad", 10.0)]
@@ -142,7 +143,7 @@ class TorsionDamper(Part):
     """A torsion damper at a joint that has an angle: linear, or with a law of its rate."""
 
     type = "torsion_damper"
-    offers = (_AGAINST,)
+    offers = (_AGAINST, POWER)
 
     joint: Annotated[str, _JOINT]
     damping: Annotated[Number | None, _quantity("N.m.s/rad", 1.0)] = None
@@ -162,7 +163,8 @@ class JointTorque(Part):
     type = "joint_torque"
     offers = (
         Offer("torque", "N.m", "torque of {name}, positive along the angle of {part.joint}"),
-    )  # fmt: skip
+        POWER,
+    )
 
     joint: Annotated[str, _JOINT]
     value: Annotated[Number, kind.Quantity("N.m", place=LOAD, example=1.0)]
@@ -173,6 +175,7 @@ class Force(Part):
     """A force on a point, in global or body axes."""
 
     type = "force"
+    offers = (POWER,)
 
     point: Annotated[PointReference, kind.ONE_END]
     value: Annotated[Vector, kind.Components("N", place=LOAD, example=[0, 0, 1])]
@@ -208,6 +211,7 @@ class Torque(Part):
     """A torque on a body."""
 
     type = "torque"
+    offers = (POWER,)
 
     body: Annotated[str, kind.Plain(example="crank")]
     value: Annotated[
@@ -234,7 +238,7 @@ class Potential(Part):
     """A potential energy, an expression over positions of the mechanism."""
 
     type = "potential"
-    offers = (Offer("energy", "J", "energy of {name}"),)
+    offers = (Offer("energy", "J", "energy of {name}"), POWER)
 
     value: Annotated[Number, kind.Quantity("J", place=POTENTIAL, example="2.0*A.x**2")]
 

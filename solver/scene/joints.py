@@ -39,7 +39,7 @@ from solver.scene.friction import (
     JointFriction,
 )
 from solver.scene.mistakes import Path
-from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, Offer
+from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, Offer, angular_acceleration
 from solver.scene.rules import NOT_ZERO
 
 if TYPE_CHECKING:
@@ -48,10 +48,12 @@ if TYPE_CHECKING:
 ANGLE = (
     Offer("angle", "rad", "angle of {name}, zero as drawn, unwrapped", "position"),
     Offer("angular_velocity", "rad/s", "angular velocity of {name}", "rate"),
+    angular_acceleration(),
 )
 DISPLACEMENT = (
     Offer("displacement", "m", "displacement of {name}, zero as drawn", "position"),
     Offer("velocity", "m/s", "velocity along {name}", "rate"),
+    Offer("acceleration", "m/s2", "acceleration along {name}", "acceleration", on_demand=True),
 )
 _TORQUE_TEXT = "torque of {name} on its second body, about the joint's place, {axis} component"
 TORQUE = Offer("torque.{}", "N.m", _TORQUE_TEXT, axes=ROTATION)
