@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
+from solver.mechanics.forces import ANGLE, ELONGATION, LENGTH, free_length_of
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.parts import JointParts
@@ -39,8 +40,9 @@ from solver.scene import (
     Screw,
     Spring,
     Stop,
+    TorsionSpring,
 )
-from solver.scene.expression import operate, select, symbol
+from solver.scene.expression import operate, select
 from solver.scene.quantities import (
     CONTACT,
     FRICTION,
@@ -199,6 +201,11 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
         return {"length": length, "force": _tension(sensors, name, force, length)}
     if isinstance(force, Potential):
         return {"energy": force.value}
+    if isinstance(force, TorsionSpring) and force.torque is not None:
+        angle = parts.joints[force.joint].angle
+        assert angle is not None
+        turned = sensors.value(Ref("quantity", angle)) - force.free_angle
+        return {"torque": with_symbols(force.torque, {ANGLE: turned})}
     torque = Ref("element_force", parts.elements[name])
     if not isinstance(force, JointTorque):
         return {"torque": torque}
@@ -210,14 +217,18 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
 def _tension(
     sensors: Sensors, name: str, force: Part, length: Ref
 ) -> Ref | Number:  # fmt: skip
-    """Return dV/dl of a spring with an energy and of gravitation, else what is measured."""
+    """Return the force of a law, dV/dl of an energy and of gravitation, or what is measured."""
     if isinstance(force, Gravitation):
         value = sensors.value(length)
         return force.constant * force.masses[0] * force.masses[1] / (value * value)
-    if not isinstance(force, Spring) or force.energy is None:
+    if not isinstance(force, Spring) or force.stiffness is not None:
         return Ref("element_force", sensors.parts.elements[name])
-    slope = derivative(force.energy, "length")
-    return with_symbols(slope, {symbol("length"): sensors.value(length)})
+    value = sensors.value(length)
+    if force.force is not None:
+        stretch = value - free_length_of(sensors.parts, name, force)
+        return with_symbols(force.force, {LENGTH: value, ELONGATION: stretch})
+    assert force.energy is not None
+    return with_symbols(derivative(force.energy, "length"), {LENGTH: value})
 
 
 # ------------------------------------------------------------------------------------ contacts
