@@ -75,28 +75,29 @@ class Spring(Part):
             message = "the energy already defines the free length of the spring"
             draft.error((*path, "free_length"), message, "leave it out")
         what = "the length of the spring in m"
-        _check_mention(reader, energy, given.energy, "length", what, "50*(length - 1)**2")
+        _check_mention(reader, energy, given.energy, ("length",), what, "50*(length - 1)**2")
         what = "length - free_length in m"
-        _check_law(reader, (*path, "force"), given.force, "elongation", what, "is longer")
+        words = "elongation", "length"
+        _check_law(reader, (*path, "force"), given.force, words, what, "is longer")
 
 
 def _check_mention(
-    reader: "Reader", path: Path, given: Any, word: str, what: str, example: str
+    reader: "Reader", path: Path, given: Any, words: tuple[str, ...], what: str, example: str
 ) -> bool:
     """Check that a law, if it is given and not broken, mentions what it depends on."""
-    if given in (None, BROKEN) or word in {mention.name for mention in given.mentions}:
+    if given in (None, BROKEN) or any(mention.name in words for mention in given.mentions):
         return given not in (None, BROKEN)
-    reader.draft.error(path, f"mentions no '{word}', {what}", f'such as "{example}"')
+    reader.draft.error(path, f"mentions no '{words[0]}', {what}", f'such as "{example}"')
     return False
 
 
 def _check_law(
-    reader: "Reader", path: Path, given: Any, word: str, what: str, where: str
+    reader: "Reader", path: Path, given: Any, words: tuple[str, ...], what: str, where: str
 ) -> None:
-    """Check a force or torque that is a function of `word`; warn of one with the wrong sign."""
-    if not _check_mention(reader, path, given, word, what, f"100*{word} + 400*{word}**3"):
+    """Check a force or torque that depends on one of `words`; warn of one with the wrong sign."""
+    word, found = words[0], []
+    if not _check_mention(reader, path, given, words, what, f"100*{word} + 400*{word}**3"):
         return
-    found = []
     for place in (-_NEAR, 0.0, _NEAR):
         try:
             found.append(evaluate(given.number, {**reader.known.values, word: place}))
@@ -149,7 +150,7 @@ class TorsionSpring(Part):
             message = "a torsion spring has a stiffness or a torque, not both"
             reader.draft.error((*path, "torque"), message, "leave out one of them")
         what = "the angle of the joint less free_angle in rad"
-        _check_law(reader, (*path, "torque"), given.torque, "angle", what, "is turned on")
+        _check_law(reader, (*path, "torque"), given.torque, ("angle",), what, "is turned on")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
