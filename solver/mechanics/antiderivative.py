@@ -69,7 +69,7 @@ def energy_of(force: Number, name: str, reach: float, known: dict[str, float]) -
     if not search.is_exact:
         missed = _missed(force, energy, name, reach, known)
         if not missed <= _CLOSE:
-            message = f"its energy has no closed form, and quadrature misses the force by "
+            message = "its energy has no closed form, and quadrature misses the force by "
             message += f"{missed:.1e} of the largest one for '{name}' from {-reach:g} to {reach:g};"
             message += " write it with polynomials, profiles of a linear argument, or abs, min, "
             message += f"max and conditions that go over at one '{name}'"
@@ -89,7 +89,7 @@ def _missed(
             exact = evaluate(force, values)
             worst = max(worst, abs(evaluate(slope, values) - exact))
         except ExpressionError as error:
-            message = f"it has no value at {name} = {place:g}: {error.message}"
+            message = f"has no value at {name} = {place:g}: {error.message}"
             raise ExpressionError(message) from None
         largest = max(largest, abs(exact))
     return worst / largest if largest else worst

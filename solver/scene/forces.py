@@ -85,8 +85,11 @@ def _check_mention(
     reader: "Reader", path: Path, given: Any, words: tuple[str, ...], what: str, example: str
 ) -> bool:
     """Check that a law, if it is given and not broken, mentions what it depends on."""
-    if given in (None, BROKEN) or any(mention.name in words for mention in given.mentions):
-        return given not in (None, BROKEN)
+    names = set() if given in (None, BROKEN) else {mention.name for mention in given.mentions}
+    if given in (None, BROKEN) or names - {*words, *reader.known.of("parameter")}:
+        return False  # what it mentions instead is reported already
+    if not names.isdisjoint(words):
+        return True
     reader.draft.error(path, f"mentions no '{words[0]}', {what}", f'such as "{example}"')
     return False
 

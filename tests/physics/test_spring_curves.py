@@ -25,6 +25,7 @@ PROFILES = f"""
 pad = {{ {PAD}, interpolation = "monotone" }}
 soft = {{ {PAD} }}
 bent = {{ {PAD}, interpolation = "linear" }}
+even = {{ x = [-0.1, 0, 0.1], y = [-10, 0, 10], interpolation = "linear", extrapolate = "hold" }}
 cubic = {{ {THREE} }}
 monotone = {{ {THREE}, interpolation = "monotone" }}
 linear = {{ {THREE}, interpolation = "linear" }}
@@ -49,6 +50,7 @@ LAWS = {
     "2*pad(0.5*elongation) + 10*elongation": (lambda s: 2 * PCHIP(s / 2) + 10 * s, False),
     "soft(elongation - 0.05) + 3": (lambda s: SPLINE(s - 0.05) + 3, False),
     "bent(elongation)": (lambda s: np.interp(s, PLACES, FORCES), False),
+    "even(elongation)": (lambda s: np.clip(100 * s, -10, 10), False),
     "300*elongation*abs(elongation)": (lambda s: 300 * s * abs(s), False),
     "min(max(1000*elongation, -30), 60)": (lambda s: np.clip(1000 * s, -30, 60), False),
     "500*max(elongation - 0.03, 0)**1.5 + 50*elongation":
