@@ -14,11 +14,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise, zip_longest
+from math import inf
 
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import rewritten, with_symbols
 from solver.scene import Expr, ExpressionError, Number, evaluate
-from solver.scene.expression import Curve, log, operate, sqrt, symbol
+from solver.scene.expression import Curve, log, operate, select, sqrt, symbol
 
 Between = Callable[[Number, Number], Number]
 """Integral from a lower to an upper end."""
@@ -104,6 +105,8 @@ class Antiderivative:
         """Whether nothing needed quadrature."""
         self._is_side = False
         """Whether a side of a split is integrated: L may miss 0 by round-off where it ends."""
+        self._range = -inf, inf
+        """Where it ends, as far as that is known: nothing goes over beyond."""
 
     def between(self, force: Number) -> Between:
         """Return the integral of a formula, as a function of its ends."""
@@ -139,7 +142,7 @@ class Antiderivative:
             return lambda low, high: first(low, high) + second(low, high)
         if force.op == "select" and not self._moves(x):
             one, other = (self.between(side) for side in force.args[1:])  # pyright: ignore[reportArgumentType]
-            return lambda low, high: operate("select", x, one(low, high), other(low, high))
+            return lambda low, high: select(x, one(low, high), other(low, high))
         if force.op == "mul" and not self._moves(x):
             return _times(x, self.between(y))
         if force.op in ("mul", "div") and not self._moves(y):
@@ -156,24 +159,37 @@ class Antiderivative:
             assert not isinstance(y, (str, Curve))
             pair = len(switch.args) == 2
             terms = self._polynomial(operate("sub", x, y) if pair else x)
-            if terms is None or len(terms) != 2 or isinstance(terms[1], Expr):
+            if terms is None or len(terms) != 2:
                 continue
-            place = (0.0 - terms[0]) / terms[1] + 0.0  # and no -0.0
-            before = self._is_side
-            self._is_side = True
-            left, right = (
-                self.between(_with_side(force, switch, side * terms[1])) for side in (-1.0, 1.0)
-            )
-            self._is_side = before
-
-            def joined(low: Number, high: Number) -> Number:
-                below, above = (
-                    [operate(limit, end, place) for end in (low, high)] for limit in ("min", "max")
-                )
-                return left(*below) + right(*above)
-
-            return joined
+            rises, falls = (self._split(force, switch, terms, sign) for sign in (1.0, -1.0))
+            slope = terms[1]
+            if not isinstance(slope, Expr):
+                return rises if slope > 0.0 else falls
+            positive = operate("gt", slope, 0.0)
+            return lambda low, high: select(positive, rises(low, high), falls(low, high))
         return None
+
+    def _split(self, force: Expr, switch: Expr, terms: Sequence[Number], sign: float) -> Between:
+        """Integrate on both sides of a switch whose difference rises or falls, by its sign."""
+        place = (0.0 - terms[0]) / terms[1] + 0.0  # and no -0.0
+        is_side, (lowest, highest) = self._is_side, self._range
+        known = place if isinstance(place, float) else None
+        if known is not None and not lowest < known < highest:
+            return self.between(_with_side(force, switch, sign if known <= lowest else -sign))
+        self._is_side = True
+        self._range = lowest, highest if known is None else known
+        left = self.between(_with_side(force, switch, -sign))
+        self._range = lowest if known is None else known, highest
+        right = self.between(_with_side(force, switch, sign))
+        self._is_side, self._range = is_side, (lowest, highest)
+
+        def joined(low: Number, high: Number) -> Number:
+            below, above = (
+                [operate(limit, end, place) for end in (low, high)] for limit in ("min", "max")
+            )
+            return left(*below) + right(*above)
+
+        return joined
 
     def _switches(self, force: Expr) -> list[Expr]:
         """Return what goes over in a formula, inner parts first."""
