@@ -43,6 +43,7 @@ from solver.scene import (
     TorsionSpring,
 )
 from solver.scene.expression import operate, select
+from solver.scene.joint_springs import SPRING_ALONG
 from solver.scene.quantities import (
     CONTACT,
     FRICTION,
@@ -79,6 +80,9 @@ def named(sensors: Sensors) -> Iterator[Named]:
     for table, values_of in _VALUES.items():
         for name, part in getattr(scene, table).items():
             offers = part.offered(part.given())
+            if isinstance(part, BodyJoint) and part.springs_along:
+                along = {offer.word: offer for offer in SPRING_ALONG}
+                offers = tuple(along.get(offer.word, offer) for offer in offers)
             values = values_of(sensors, name, part) if offers else {}
             yield from _named(sensors, name, part, offers, values)
     for name, contact in scene.contacts.items():
@@ -147,6 +151,9 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
     if found.friction is not None:
         words = "friction", "slip", "friction_mode"
         values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}
+    for word, element in (("spring", found.spring), ("damper", found.damper)):
+        if element is not None:
+            values[word] = Ref("element_force", element)
     if isinstance(joint, Gear) and joint.backlash is not None:
         values |= _of_a_contact(sensors, name, joint)
         pushes = [sensors.value(Ref("contact", k, FORCE)) for k in sensors.parts.contacts[name]]
