@@ -12,9 +12,10 @@ slope is F as far as F is a polynomial of degree 31 between 0 and s.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise, zip_longest
 from math import inf
+from typing import Any
 
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import rewritten, with_symbols
@@ -47,7 +48,7 @@ GAUSS = (
 """Nodes in (0, 1) and weights of the rule with 16 points on [-1, 1], which is symmetric."""
 
 
-def energy_of(force: Number, name: str, reach: float, known: dict[str, float]) -> Number:
+def energy_of(force: Number, name: str, reach: float, known: Mapping[str, float]) -> Number:
     """Return the energy of a force, an expression in the symbol `name`, zero where that is 0.
 
     Parameters
@@ -57,7 +58,7 @@ def energy_of(force: Number, name: str, reach: float, known: dict[str, float]) -
     name : str
     reach : float
         Where quadrature is needed, its force is compared with `force` from -reach to reach.
-    known : dict of str to float
+    known : mapping of str to float
         Values of all other symbols, for this comparison.
 
     Raises
@@ -66,7 +67,11 @@ def energy_of(force: Number, name: str, reach: float, known: dict[str, float]) -
         Where the slope of the energy would miss the force by more than 1e-9 of the largest one.
     """
     search = Antiderivative(name)
-    energy = search.between(force)(0.0, symbol(name))
+    try:
+        energy = search.between(force)(0.0, symbol(name))
+    except ExpressionError as error:
+        message = f"its energy from {name} = 0 on has no value: {error.message}"
+        raise ExpressionError(message) from None
     if not search.is_exact:
         missed = _missed(force, energy, name, reach, known)
         if not missed <= _CLOSE:
@@ -79,7 +84,7 @@ def energy_of(force: Number, name: str, reach: float, known: dict[str, float]) -
 
 
 def _missed(
-    force: Number, energy: Number, name: str, reach: float, known: dict[str, float]
+    force: Number, energy: Number, name: str, reach: float, known: Mapping[str, float]
 ) -> float:
     """Return the largest error of the slope of an energy within reach, over the largest force."""
     slope, largest, worst = derivative(energy, name), 0.0, 0.0
@@ -129,24 +134,20 @@ class Antiderivative:
         """Integrate what is added, or multiplied by a constant."""
         if force.op == "symbol":
             return None
-        x, y = force.args[0], force.args[-1]
-        assert not isinstance(x, (str, Curve))
+        x, y = _ends(force)
         if force.op == "neg":
             return _times(-1.0, self.between(x))
-        assert not isinstance(y, str)
-        if isinstance(y, Curve):
-            return None
         if force.op in ("add", "sub"):
-            first = self.between(x)
-            second = _times(1.0 if force.op == "add" else -1.0, self.between(y))
-            return lambda low, high: first(low, high) + second(low, high)
+            first, second = self.between(x), self.between(y)
+            return lambda low, high: operate(force.op, first(low, high), second(low, high))
         if force.op == "select" and not self._moves(x):
-            one, other = (self.between(side) for side in force.args[1:])  # pyright: ignore[reportArgumentType]
+            sides: tuple[Any, ...] = force.args[1:]
+            one, other = map(self.between, sides)
             return lambda low, high: select(x, one(low, high), other(low, high))
         if force.op == "mul" and not self._moves(x):
             return _times(x, self.between(y))
         if force.op in ("mul", "div") and not self._moves(y):
-            return _times(y if force.op == "mul" else 1.0 / y, self.between(x))
+            return _times(y if force.op == "mul" else _over(1.0, y), self.between(x))
         return None
 
     # ---------------------------------------------------------------------------- pieces
@@ -154,24 +155,22 @@ class Antiderivative:
     def _of_pieces(self, force: Expr) -> Between | None:
         """Integrate on both sides of a place at which abs, min, a condition, ... goes over."""
         for switch in self._switches(force):
-            x, y = switch.args[0], switch.args[-1]
-            assert not isinstance(x, (str, Curve))
-            assert not isinstance(y, (str, Curve))
+            x, y = _ends(switch)
             pair = len(switch.args) == 2
             terms = self._polynomial(operate("sub", x, y) if pair else x)
             if terms is None or len(terms) != 2:
                 continue
-            rises, falls = (self._split(force, switch, terms, sign) for sign in (1.0, -1.0))
             slope = terms[1]
             if not isinstance(slope, Expr):
-                return rises if slope > 0.0 else falls
+                return self._split(force, switch, terms, 1.0 if slope > 0.0 else -1.0)
+            rises, falls = (self._split(force, switch, terms, sign) for sign in (1.0, -1.0))
             positive = operate("gt", slope, 0.0)
             return lambda low, high: select(positive, rises(low, high), falls(low, high))
         return None
 
     def _split(self, force: Expr, switch: Expr, terms: Sequence[Number], sign: float) -> Between:
         """Integrate on both sides of a switch whose difference rises or falls, by its sign."""
-        place = (0.0 - terms[0]) / terms[1] + 0.0  # and no -0.0
+        place = _over(0.0 - terms[0], terms[1]) + 0.0  # and no -0.0
         is_side, (lowest, highest) = self._is_side, self._range
         known = place if isinstance(place, float) else None
         if known is not None and not lowest < known < highest:
@@ -228,11 +227,11 @@ class Antiderivative:
         if number == self._s:
             return [0.0, 1.0]
         if number.op == "neg":
-            return _scaled(-1.0, self._polynomial(number.args[0]))  # pyright: ignore[reportArgumentType]
+            return _scaled(-1.0, self._polynomial(_ends(number)[0]))
         if number.op not in ("add", "sub", "mul", "div", "pow"):
             return None
-        x, y = number.args
-        first = self._polynomial(x)  # pyright: ignore[reportArgumentType]
+        x, y = _ends(number)
+        first = self._polynomial(x)
         if first is None:
             return None
         if number.op == "pow":
@@ -244,11 +243,11 @@ class Antiderivative:
             for _ in range(int(y)):
                 total = _product(total, first)
             return total
-        second = self._polynomial(y)  # pyright: ignore[reportArgumentType]
+        second = self._polynomial(y)
         if second is None:
             return None
         if number.op == "div":
-            return None if len(second) > 1 else _scaled(1.0 / second[0], first)
+            return None if len(second) > 1 else _scaled(_over(1.0, second[0]), first)
         if number.op == "mul":
             return _product(first, second) if len(first) + len(second) <= _HIGHEST else None
         pairs = zip_longest(first, second, fillvalue=0.0)
@@ -261,24 +260,23 @@ class Antiderivative:
 
     def _of_function(self, force: Expr) -> Between | None:
         """Integrate a function of a linear argument."""
-        x, y = force.args[0], force.args[-1]
+        x, y = _ends(force)
         if force.op == "spline":
-            assert isinstance(y, Curve)
-            return self._of_profile(x, y)  # pyright: ignore[reportArgumentType]
+            return self._of_profile(x, y)
         if force.op == "pow" and not self._moves(y):
-            power: Number = y  # pyright: ignore[reportAssignmentType]
             if isinstance(x, Expr) and x.op == "div" and not self._moves(x.args[0]):
-                factor = operate("pow", x.args[0], power)  # pyright: ignore[reportArgumentType]
-                return _times(factor, self._of_power(x.args[1], -1.0 * power))  # pyright: ignore[reportArgumentType]
-            return self._of_power(x, power)  # pyright: ignore[reportArgumentType]
+                above, below = _ends(x)
+                return _times(operate("pow", above, y), self._of_power(below, -1.0 * y))
+            return self._of_power(x, y)
         if force.op == "div" and not self._moves(x):
             if isinstance(y, Expr) and y.op == "pow" and not self._moves(y.args[1]):
-                return _times(x, self._of_power(y.args[0], -1.0 * y.args[1]))  # pyright: ignore[reportArgumentType, reportOperatorIssue]
-            return _times(x, self._of_power(y, -1.0))  # pyright: ignore[reportArgumentType]
+                base, power = _ends(y)
+                return _times(x, self._of_power(base, -1.0 * power))
+            return _times(x, self._of_power(y, -1.0))
         if force.op == "sqrt":
-            return self._of_power(x, 0.5)  # pyright: ignore[reportArgumentType]
+            return self._of_power(x, 0.5)
         known = _INTEGRALS.get(force.op)
-        return None if known is None else self._through(x, known)  # pyright: ignore[reportArgumentType]
+        return None if known is None else self._through(x, known)
 
     def _through(self, argument: Number, integral: Callable[[Number], Number]) -> Between | None:
         """Return (G(L(high)) - G(L(low)))/a; None where the argument is not linear."""
@@ -286,7 +284,7 @@ class Antiderivative:
         if terms is None or len(terms) != 2:
             return None
         b, a = terms
-        return lambda low, high: (integral(a * high + b) - integral(a * low + b)) / a
+        return lambda low, high: _over(integral(a * high + b) - integral(a * low + b), a)
 
     def _of_power(self, base: Number, power: Number) -> Between | None:
         if power == -1.0:
@@ -294,14 +292,14 @@ class Antiderivative:
             if terms is None or len(terms) != 2:
                 return None
             b, a = terms
-            return lambda low, high: log((a * high + b) / (a * low + b)) / a
+            return lambda low, high: _over(log(_over(a * high + b, a * low + b)), a)
         higher = power + 1.0
         is_whole = isinstance(power, float) and power == int(power)
 
         def integral(x: Number) -> Number:
             if self._is_side and not is_whole:
                 x = operate("max", x, 0.0)
-            return operate("pow", x, higher) / higher
+            return _over(operate("pow", x, higher), higher)
 
         return self._through(base, integral)
 
@@ -359,18 +357,28 @@ def integral_of_table(numbers: Sequence[float]) -> tuple[float, tuple[float, ...
 def _with_side(force: Expr, switch: Expr, side: float) -> Number:
     """Return a formula as it is where the difference of a switch has the sign of `side`."""
     positive = side > 0.0
-    x, y = switch.args[0], switch.args[-1]
-    value: object
+    x, y = _ends(switch)
+    value: Number
     if switch.op == "abs":
-        value = x if positive else operate("neg", x)  # pyright: ignore[reportArgumentType]
+        value = x if positive else operate("neg", x)
     elif switch.op == "sign":
         value = 1.0 if positive else -1.0
     elif switch.op in ("min", "max"):
         value = x if positive == (switch.op == "max") else y
     else:
         value = float(positive == (switch.op in ("gt", "ge")))
-    meanings: dict[Expr, Number] = {switch: value}  # pyright: ignore[reportAssignmentType]
+    meanings: dict[Expr, Number] = {switch: value}
     return rewritten(force, lambda x: meanings.get(x, x if x.op in ("symbol", "call") else None))
+
+
+def _ends(operation: Expr) -> tuple[Any, Any]:
+    """Return the first and the last operand."""
+    return operation.args[0], operation.args[-1]
+
+
+def _over(x: Number, y: Number) -> Number:
+    """Return x/y, or raise `ExpressionError` where that is known to have no value."""
+    return operate("div", x, y)
 
 
 def _times(factor: Number, integral: Between | None) -> Between | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-
 from math import pi
 
 from solver.mechanics.antiderivative import energy_of
@@ -33,7 +32,6 @@ from solver.scene import (
     symbols,
 )
 from solver.scene.expression import sqrt, symbol
-
 
 LENGTH, ELONGATION, ANGLE = map(symbol, ("length", "elongation", "angle"))
 """What forces and torques of springs are written in."""
@@ -71,8 +69,8 @@ def add_spring(rows: Rows, force: Spring, _: JointParts) -> None:
 
 def free_length_of(parts: Parts, name: str, spring: Spring) -> Number:
     """Return the free length of a spring, as drawn unless it is given."""
-    drawn = spring.free_length is None
-    return _drawn_length(parts, parts.links[name]) if drawn else spring.free_length
+    given = spring.free_length
+    return _drawn_length(parts, parts.links[name]) if given is None else given
 
 
 def _drawn_length(parts: Parts, link: Combination) -> Number:

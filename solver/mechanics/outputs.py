@@ -43,7 +43,7 @@ from solver.scene import (
     TorsionSpring,
 )
 from solver.scene.expression import operate, select
-from solver.scene.joint_springs import SPRING_ALONG
+from solver.scene.joint_springs import FIELD_OF, SPRING_ALONG
 from solver.scene.quantities import (
     CONTACT,
     FRICTION,
@@ -81,8 +81,8 @@ def named(sensors: Sensors) -> Iterator[Named]:
         for name, part in getattr(scene, table).items():
             offers = part.offered(part.given())
             if isinstance(part, BodyJoint) and part.springs_along:
-                along = {offer.word: offer for offer in SPRING_ALONG}
-                offers = tuple(along.get(offer.word, offer) for offer in offers)
+                others = (offer for offer in offers if offer.word not in FIELD_OF)
+                offers = (*others, *SPRING_ALONG)  # those without a value are left out
             values = values_of(sensors, name, part) if offers else {}
             yield from _named(sensors, name, part, offers, values)
     for name, contact in scene.contacts.items():

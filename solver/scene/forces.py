@@ -63,7 +63,9 @@ class Spring(Part):
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that it has a stiffness, a force or an energy, and no two of them."""
         draft, energy = reader.draft, (*path, "energy")
-        laws = [word for word in ("stiffness", "force", "energy") if getattr(given, word) is not None]
+        laws = [
+            word for word in ("stiffness", "force", "energy") if getattr(given, word) is not None
+        ]
         if not laws:
             help = "write stiffness = 100.0, a force of 'elongation', or an energy in 'length'"
             draft.error(path, "'stiffness' is missing", help)

@@ -1,7 +1,8 @@
 """Profiles: functions through given points, which expressions call by their names.
 
 A profile is a cubic in each piece between its points, and straight beyond its ends, where it may
-also hold the values that it has there. With h, d, m and M the length, mean slope, slope and curvature of its pieces and knots, it is
+also hold the values of its ends. With h, d, m and M the length, mean slope, slope and curvature of
+its pieces and knots, it is
 
     cubic      h_k-1 M_k-1 + 2 (h_k-1 + h_k) M_k + h_k M_k+1 = 6 (d_k - d_k-1): the spline, where M
                is 0 at both ends, so that curvature does not jump there either, or repeats

@@ -99,8 +99,9 @@ def test_a_slide_with_stiffness_swings_as_the_closed_form_says(dimension, type, 
 def test_a_screw_with_a_spring_swings_with_the_inertia_of_both(of):
     # s = p/(2 pi) theta: (I + m p^2/(2 pi)^2) theta'' = -K theta, K = k or k p^2/(2 pi)^2.
     lead, k = 0.4 / (2 * np.pi), 30.0
-    found = scene(3, "screw", f'stiffness = {k}, of = "{of}"', settings="order = 6",
-                  turn=f", angular_velocity = [3, 0, 0], velocity = [{3 * lead}, 0, 0]")  # fmt: skip
+    turn = f", angular_velocity = [3, 0, 0], velocity = [{3 * lead}, 0, 0]"
+    fields = f'stiffness = {k}, of = "{of}"'
+    found = scene(3, "screw", fields, settings="order = 6", turn=turn)
     run = holonom.simulate(found, stop_time=1.0)
     stiffness = k if of == "angle" else k * lead**2
     w = np.sqrt(stiffness / (0.1 + 2 * lead**2))

@@ -6,6 +6,8 @@ about its hinge: one equation, s'' = -F(s) - c s', which SciPy's DOP853 and clos
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
@@ -14,6 +16,7 @@ from scipy.special import ellipk
 
 import holonom
 import solver
+from solver.runtime import Integrator
 from tests.support.mechanisms.problems import observed_order
 
 ROUND_OFF = 1e-12
@@ -107,7 +110,7 @@ def test_the_force_is_the_formula_and_its_energy_the_integral_from_the_free_leng
     first = run(scene(force_law(law), s, 1.0, "step_size = 1e-3"), 1e-3)
     kinks = (-0.2, -0.1, -0.05, -0.03, 0.0, 0.03, 0.05, 0.06, 0.1, 0.15, 0.2)
     ends = sorted({0.0, s, *(k for k in kinks if min(0, s) < k < max(0, s))})
-    parts = [quad(force, a, b, epsabs=1e-14)[0] for a, b in zip(ends, ends[1:], strict=False)]
+    parts = [quad(force, a, b, epsabs=1e-14)[0] for a, b in pairwise(ends)]
     by_hand = sum(parts) * (1 if s > 0 else -1)
     assert first["law.force"][0] == pytest.approx(float(force(s)), abs=1e-12 * 100)
     assert first["energy.potential"][0] == pytest.approx(by_hand, abs=ROUND_OFF)
@@ -159,7 +162,7 @@ def test_a_cubic_spring_swings_in_the_period_of_the_elliptic_integral():
     a, b, start = 100.0, 400.0, 0.3
     w2 = a + b * start**2
     period = 4 * ellipk(0.5 * b * start**2 / w2) / np.sqrt(w2)
-    for settings in ("step_size = {}\norder = 8", 'tolerance = 1e-10\nstep_size = {}'):
+    for settings in ("step_size = {}\norder = 8", "tolerance = 1e-10\nstep_size = {}"):
         text = scene(force_law(CUBIC), start, 0.0, settings.format(period / 60))
         moved = run(text, 10 * period)
         assert moved["A.x"][-1] - 1 == pytest.approx(start, abs=3e-9)
@@ -250,3 +253,21 @@ def test_a_detent_repeats_and_gives_its_energy_back():
     assert moved["law.torque"] == pytest.approx(spline(moved["pin.angle"]), abs=1e-11)
     assert moved["energy.potential"] == pytest.approx(energy, abs=1e-11)
     assert np.abs(moved["energy.balance"]).max() < ROUND_OFF * moved["energy.kinetic"].max()
+
+
+def test_a_tunable_parameter_that_changes_does_the_work_that_energies_differ_by():
+    text = scene('force = "hard*elongation + 400*elongation**3"', 0.3, 0.0, "step_size = 0.01")
+    text = text.replace(
+        "[profiles]", '[parameters]\nhard = { value = 100, variability = "tunable" }\n[profiles]'
+    )
+    moving = Integrator(solver.assemble(solver.loads(text)))
+    moving.initialise()
+    for k in range(30):
+        if k == 11:
+            stretch, work = moving["law.length"] - 1, moving["energy.work"]
+            moving["hard"] = 250.0
+        moving.advance(0.01 * k, 0.01)
+    assert moving["energy.work"] - work == pytest.approx(0.5 * 150 * stretch**2, abs=ROUND_OFF)
+    assert abs(moving["energy.balance"]) < ROUND_OFF * 20
+    stretch = moving["law.length"] - 1
+    assert moving["law.force"] == pytest.approx(250 * stretch + 400 * stretch**3, abs=1e-12)

@@ -257,7 +257,7 @@ def test_springs_of_joints_and_by_curves_mean_what_they_did():
             integrator.advance(0.05 * step, 0.05)
     remarks = "\n".join(closing.remarks)
     for said in (
-        "joints.shoulder.free_angle: -0.2 is added, since shoulder.angle is 0.2 rad less in the new",
+        "joints.shoulder.free_angle: -0.2 is added, since shoulder.angle is 0.2 rad less",
         "forces.coil.free_angle: -0.2 is added",
         "joints.elbow.free_angle: ",
         "forces.rope.free_length: ",
