@@ -91,7 +91,10 @@ def _add_law(
     own = {str(measured): Leaf(LEAF_VALUE, quantity)}
     energy, law = (with_symbols(x, {stretch: measured - free}) for x in (energy, law))
     mechanism.potentials.append(formula(rows.parts, energy, signals=False, own=own))
-    add_kinks(rows, law, own)  # of the force: its energy is smoother by one derivative
+    # Those of the force, whose energy is smoother by one derivative. Where the free value moves, a
+    # half step has them where they are in its middle, and no end of a step would meet them.
+    if symbols(free).isdisjoint({"t", *rows.parts.scene.inputs}):
+        add_kinks(rows, law, own)
 
 
 def add_damper(rows: Rows, force: Damper, _: JointParts) -> None:

@@ -201,15 +201,35 @@ def test_a_spring_without_a_free_length_is_free_as_drawn():
     assert moved["law.force"] == pytest.approx(100 * stretch + 400 * stretch**3, abs=1e-12)
 
 
-def test_a_free_length_that_an_input_moves_does_work():
-    # A pushed end of a spring: s = length - 1 - 0.1 t^2/2 in the time; DOP853 of the equation.
-    text = scene(force_law(CUBIC), 0.2, 0.0, "step_size = 0.005\norder = 4")
+@pytest.mark.parametrize("settings", ["order = 4", "tolerance = 1e-8"])
+@pytest.mark.parametrize("law", [CUBIC, "pad(elongation)", "300*elongation*abs(elongation)"])
+def test_a_free_length_that_moves_does_work(law, settings):
+    # An end that is pulled away: s = x - 1 - 0.2 t; DOP853 tells motion and work, -0.2 F.
+    text = scene(force_law(law), 0.2, 0.0, f"step_size = 0.002\n{settings}")
     moved = run(text.replace("free_length = 1 ", 'free_length = "1 + 0.2*t" '), 1.0)
+    force = LAWS[law][0]
     exact = solve_ivp(
-        lambda t, y: [y[1], -100 * (y[0] - 0.2 * t) - 400 * (y[0] - 0.2 * t) ** 3],
-        (0.0, 1.0), [0.2, 0.0], method="DOP853", rtol=1e-13, atol=1e-14,
+        lambda t, y: [y[1], -float(force(y[0] - 0.2 * t)), -0.2 * float(force(y[0] - 0.2 * t))],
+        (0.0, 1.0), [0.2, 0.0, 0.0], method="DOP853", rtol=1e-13, atol=1e-14, max_step=5e-4,
+    ).y[:, -1]  # fmt: skip
+    assert moved["A.x"][-1] - 1 == pytest.approx(exact[0], abs=1e-6)
+    assert moved["energy.work"][-1] == pytest.approx(exact[2], abs=1e-5)
+    assert np.abs(moved["energy.balance"]).max() < ROUND_OFF * moved["energy.kinetic"].max()
+
+
+def test_a_spring_of_the_time_moves_beside_an_energy_with_a_kink():
+    # Under a tolerance, whose steps end at the kink; DOP853 of the equation.
+    text = scene('stiffness = "30 + 20*t"', 0.3, 0.0, "step_size = 0.05\ntolerance = 1e-8")
+    text = text.replace(
+        "[solver]", 'rest = { type = "potential", value = "50*max(A.x - 1.1, 0)**2" }\n[solver]'
+    )
+    moved = run(text, 1.0)
+    exact = solve_ivp(
+        lambda t, y: [y[1], -(30 + 20 * t) * y[0] - 100 * max(y[0] - 0.1, 0.0)],
+        (0.0, 1.0), [0.3, 0.0], method="DOP853", rtol=1e-13, atol=1e-14, max_step=5e-4,
     ).y[:, -1]  # fmt: skip
     assert moved["A.x"][-1] - 1 == pytest.approx(exact[0], abs=1e-7)
+    assert moved["A.vx"][-1] == pytest.approx(exact[1], abs=1e-6)
     assert np.abs(moved["energy.balance"]).max() < ROUND_OFF * moved["energy.kinetic"].max()
 
 
