@@ -24,6 +24,7 @@ from solver.runtime.layout import (
     FORM_TURNED,
     INPUT_COURSES,
     SIZES,
+    STORES,
     TABLES,
     measured_size,
 )
@@ -182,8 +183,12 @@ def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:
         value, leaves = formulas[j].value, formulas[j].leaves
         if j in slips:
             operations += numbers.slips([formulas[k].value for k in slips[j]], leaves)
-        else:
+        elif formulas[j].role == STORES:
             operations.append(numbers.operations(value, len(leaves)))
+        else:  # no energy varies with it
+            vary = numbers.formulas_vary
+            operations.append(numbers.operations(value, len(leaves)))
+            numbers.formulas_vary = vary
     depths = [-1] * len(structure.potentials)
     for k, (potential, found) in enumerate(
         zip(structure.potentials.items, operations[len(structure.functions) :], strict=True)
@@ -196,6 +201,7 @@ def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:
         "function_known": array("i", (x.known for x in operations)),
         "operation": flat(y for x in operations for y in x.each),
         "depth_register": array("i", depths),
+        "force_role": array("i", (x.role for x in structure.potentials.items)),
     }
 
 

@@ -7,6 +7,7 @@ from math import pi
 
 from solver.mechanics.antiderivative import energy_of
 from solver.mechanics.combination import Combination
+from solver.mechanics.force_laws import add_resistance
 from solver.mechanics.formulas import formula, leaf_symbol, sensed, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.kinks import add_kinks
@@ -100,6 +101,10 @@ def _add_law(
 def add_damper(rows: Rows, force: Damper, _: JointParts) -> None:
     """Add a damper between two places."""
     quantity = rows.mechanism.length(_link(rows, force.points))
+    if force.force is not None:
+        add_resistance(rows, quantity, "length", force.force, METRES)
+        return
+    assert force.damping is not None
     damping = sensed(rows.parts, force.damping)
     _element(rows, Element(rows.mechanism.use(quantity), damping=damping))
 
@@ -134,7 +139,10 @@ def add_twist(
             assert force.stiffness is not None
             law = sensed(parts, force.stiffness), sensed(parts, force.free_angle)
             _element(rows, Element(angle, *law))
+        case TorsionDamper() if force.torque is not None:
+            add_resistance(rows, angle, "angle", force.torque, RADIANS)
         case TorsionDamper():
+            assert force.damping is not None
             _element(rows, Element(angle, damping=sensed(parts, force.damping)))
         case JointTorque():
             slips = _slips_of_joint(rows, force.joint)

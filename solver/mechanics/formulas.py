@@ -60,7 +60,7 @@ def refuse_switches(value: Number) -> None:
         if any(
             name.startswith("#") for x in deciding if isinstance(x, Expr) for name in symbols(x)
         ):
-            message = "energy would jump where a condition, sign, floor, ceil or mod of what moves "
+            message = "it would jump where a condition, sign, floor, ceil or mod of what moves "
             message += "switches; write it with abs, min or max, which are exact"
             raise ExpressionError(message)
         return part if part.op == "symbol" else None
@@ -69,8 +69,9 @@ def refuse_switches(value: Number) -> None:
 
 
 def formula(
-    parts: Parts, number: Number, *, signals: bool, own: Mapping[str, Meaning] | None = None
-) -> Formula:
+    parts: Parts, number: Number, *, signals: bool, own: Mapping[str, Meaning] | None = None,
+    along: int | None = None,
+) -> Formula:  # fmt: skip
     """Return the formula of an expression; its quantities take part in the motion.
 
     Parameters
@@ -81,6 +82,8 @@ def formula(
         Whether parts that change with the time alone become signals.
     own : mapping, optional
         Symbols with a meaning of their own, such as ``length``.
+    along : int, optional
+        Quantity along which it is a force; then its value is the first leaf.
 
     Raises
     ------
@@ -89,7 +92,7 @@ def formula(
     """
     mechanism, own = parts.mechanism, own or {}
     known = mechanism.varying | parts.scene.parameters.keys()
-    leaves: dict[Leaf, int] = {}
+    leaves = {} if along is None else {mechanism.leaf(along): 0}
 
     def leaf(found: Meaning) -> Number:
         if not isinstance(found, Leaf):
@@ -113,8 +116,8 @@ def formula(
     if not any(leaf.kind != LEAF_SIGNAL for leaf in leaves):
         message = "it does not depend on the motion"
         raise ExpressionError(message)
-    if not any(leaf.kind == LEAF_RATE for leaf in leaves):  # velocity rows do no work
-        refuse_switches(value)
+    if along is not None or not any(leaf.kind == LEAF_RATE for leaf in leaves):
+        refuse_switches(value)  # but in velocity rows, which do no work
     return Formula(value, tuple(leaves))
 
 

@@ -76,6 +76,8 @@ class Formula(NamedTuple):
     leaves: tuple[Leaf, ...]
     damping: Number | None = None
     """Of the energy of a compliant contact, a power of its depth: share of the force per speed."""
+    role: int = layout.STORES
+    """Of a potential: whether it is an energy, or a force along its first leaf, and its account."""
 
 
 class Kink(NamedTuple):

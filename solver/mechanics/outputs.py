@@ -213,12 +213,23 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
         assert angle is not None
         turned = sensors.value(Ref("quantity", angle)) - force.free_angle
         return {"torque": with_symbols(force.torque, {ANGLE: turned})}
+    if name in parts.force_laws:
+        return {"torque": _of_law(sensors, name)}
     torque = Ref("element_force", parts.elements[name])
     if not isinstance(force, JointTorque):
         return {"torque": torque}
     rubs, sign = parts.rubbing.get(name, (None, 0.0))
     friction = 0.0 if rubs is None else sign * sensors.value(Ref("friction", rubs, 0))
     return {"torque": friction - sensors.value(torque)}
+
+
+def _of_law(sensors: Sensors, name: str) -> Number:
+    """Return a force that reads the motion, positive where it draws its quantity together."""
+    law, quantity, word = sensors.parts.force_laws[name]
+    value, rate = (sensors.value(Ref(x, quantity)) for x in ("quantity", "quantity_rate"))
+    force = with_symbols(law, {symbol(word): value, symbol("rate"): rate})
+    rubs, sign = sensors.parts.rubbing.get(name, (None, 0.0))
+    return force if rubs is None else force - sign * sensors.value(Ref("friction", rubs, 0))
 
 
 def _tension(
@@ -228,6 +239,8 @@ def _tension(
     if isinstance(force, Gravitation):
         value = sensors.value(length)
         return force.constant * force.masses[0] * force.masses[1] / (value * value)
+    if name in sensors.parts.force_laws:
+        return _of_law(sensors, name)
     if not isinstance(force, Spring) or force.stiffness is not None:
         return Ref("element_force", sensors.parts.elements[name])
     value = sensors.value(length)

@@ -79,6 +79,9 @@ class Parts:
     """Element of a force."""
     rubbing: dict[str, tuple[int, float]] = field(default_factory=dict)
     """Friction of a force with the sign of a rate, and the sign with which it acts along that."""
+    force_laws: dict[str, tuple[Number, int, str]] = field(default_factory=dict)
+    """Force against the rate of a quantity, of forces that read the motion, the quantity, and what
+    it is called in it beside ``rate``; without what rubs."""
     contacts: dict[str, list[int]] = field(default_factory=dict)
     """Index among the mechanism's contacts; a stop with both ends has two."""
     compliant: dict[str, list[CompliantContact]] = field(default_factory=dict)

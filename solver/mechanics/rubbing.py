@@ -13,6 +13,7 @@ from collections.abc import Mapping
 
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.mechanism import Formula, Friction, Leaf, Scale
+from solver.mechanics.parts import Meaning
 from solver.mechanics.rows import Rows
 from solver.scene import Expr, Number, symbols
 from solver.scene.expression import Operand, operate, symbol
@@ -25,7 +26,8 @@ SIDES = {
 
 
 def without_friction(
-    rows: Rows, value: Number, slips: Mapping[str, float], scale: Scale
+    rows: Rows, value: Number, slips: Mapping[str, float], scale: Scale,
+    own: Mapping[str, Meaning] | None = None,
 ) -> Number:  # fmt: skip
     """Return a force without what rubs in it, which becomes a friction of the mechanism.
 
@@ -38,11 +40,14 @@ def without_friction(
         Names of the rates along which it acts, and the sign with which it does.
     scale : Scale
         Of the row that holds.
+    own : mapping, optional
+        Symbols with a meaning in the force alone, such as ``rate``.
     """
     mechanism = rows.mechanism
     for name, direction in slips.items():
         split = _split(value, name) if name in symbols(value) else None
-        rate = rows.parts.meaning(name) if split and split[1] != 0.0 else None
+        rubs = split is not None and split[1] != 0.0
+        rate = ((own or {}).get(name) or rows.parts.meaning(name)) if rubs else None
         if split is None or not isinstance(rate, Leaf):
             continue
         rest, jump = split[0], with_symbols(split[1], {symbol(name): 0.0})

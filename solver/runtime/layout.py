@@ -55,7 +55,7 @@ SIZES = (
     "n_velocity_rows",  # psi = 0, linear in rates
     "n_rows",  # all rows, in this order: one multiplier each
     "n_elements",  # springs, dampers and drives, along one quantity each
-    "n_potentials",  # functions V
+    "n_potentials",  # functions V, and functions N of forces along a quantity
     "n_loads",  # forces on a link
     "n_moments",  # moments that turn a link
     "n_body_moments",  # moments on spatial bodies
@@ -203,6 +203,8 @@ TABLES = {
     "function_known": Table("n_functions", 0, "n_registers"),  # those of the function before,
     # which has the same leaves
     "depth_register": Table("n_potentials", -1, "n_registers"),  # of damped ones: a depth; else -1
+    "force_role": Table("n_potentials", 0, 3),  # STORES: a function V; else a force N, the sign of
+    # its account
     "operation": Table(width=4),  # code, three arguments: a register, or -1 - a number's place
     "load_form": Table("n_loads", 0, "n_forms"),  # the link u they act on
     "load_axes": Table("n_loads", -1),  # -1 global, or first director of the body they turn with
@@ -242,6 +244,8 @@ QUANTITY_FORM, QUANTITY_LENGTH, QUANTITY_ANGLE = 0, 1, 2
 INPUT_HELD, INPUT_RAMPS, INPUT_SMOOTH = 0, 1, 2
 INPUT_COURSES = ("hold", "ramp", "smooth")  # by the word of a scene
 LEAF_VALUE, LEAF_RATE, LEAF_SIGNAL = 0, 1, 2
+STORES, TAKES, WORKS = 0, 1, 2
+"""Of potentials: an energy V, or a force N along the first leaf whose work is a loss, or work."""
 SWITCH_SIGN, SWITCH_LEVEL = 0, 1
 """What the side of a switch is: the sign of its argument, or the whole number below it."""
 SAMPLED_LOAD, SAMPLED_MOMENT, SAMPLED_BODY_MOMENT, SAMPLED_DRIVE = 0, 1, 2, 3  # see sampling.h

@@ -113,15 +113,41 @@ def _check_law(
         reader.draft.warn(path, message, "turn its sign, unless it is meant to be unstable there")
 
 
+def _law_of_rate(unit: str, word: str) -> kind.Quantity:
+    place = Place(time=True, levels=("position", "rate"), own=("rate", word))
+    return kind.Quantity(unit, f"an expression in `rate`, and perhaps `{word}`", place=place)
+
+
+def _check_damper(reader: "Reader", path: Path, given: Any, field: str, example: str) -> None:
+    """Check that a damper has a damping or a law in its rate, and not both."""
+    draft, law = reader.draft, getattr(given, field)
+    if given.damping is None and law is None:
+        help = f"write damping = 1.0, or a {field} in 'rate', such as \"{example}\""
+        draft.error(path, "'damping' is missing", help)
+    elif given.damping is not None and law is not None:
+        message = f"a damper has a damping or a {field}, not both"
+        draft.error((*path, field), message, "leave out one of them")
+    elif law not in (None, BROKEN) and "rate" not in {x.name for x in law.mentions}:
+        help = f'such as "{example}"'
+        draft.error((*path, field), "mentions no 'rate', the rate of the damper", help)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Damper(Part):
-    """A linear damper between two points."""
+    """A damper between two points: linear, or with a force that depends on its rate."""
 
     type = "damper"
     offers = _ON_A_LINE
 
     points: Annotated[Ends, kind.TWO_ENDS]
-    damping: Annotated[Number, _quantity("N.s/m", 1.0)]
+    damping: Annotated[Number | None, _quantity("N.s/m", 1.0)] = None
+    """None where `force` is given."""
+    force: Annotated[Number | None, _law_of_rate("N", "length")] = None
+    """In the symbols ``rate`` (m/s, positive as it lengthens) and ``length`` (m)."""
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that it is linear or has a law, and not both."""
+        _check_damper(reader, path, given, "force", "50*rate + 20*rate*abs(rate)")
 
 
 def _angle(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
@@ -160,13 +186,20 @@ class TorsionSpring(Part):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TorsionDamper(Part):
-    """A torsion damper at a joint that has an angle."""
+    """A torsion damper at a joint that has an angle: linear, or with a law of its rate."""
 
     type = "torsion_damper"
     offers = (_AGAINST,)
 
     joint: Annotated[str, _JOINT]
-    damping: Annotated[Number, _quantity("N.m.s/rad", 1.0)]
+    damping: Annotated[Number | None, _quantity("N.m.s/rad", 1.0)] = None
+    """None where `torque` is given."""
+    torque: Annotated[Number | None, _law_of_rate("N.m", "angle")] = None
+    """In the symbols ``rate`` (rad/s) and ``angle`` (rad)."""
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that it is linear or has a law, and not both."""
+        _check_damper(reader, path, given, "torque", "0.5*rate + 0.1*rate**3")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -44,6 +44,7 @@ at = [3, 0]
 damping = 1.0
 """
 BRAKED = SWING + BRAKE
+BRAKED_BY_FORMULA = BRAKED.replace("damping = 1.0", 'damping = "1 + t"')
 BESIDE = SWING.replace("[joints]", "B = { position = [5, 0], mass = 1.0 }\n[joints]")
 RUBBED = f"""{BESIDE}{BRAKE}
 [contacts.floor]
@@ -73,6 +74,12 @@ CASES = [
     ),
     (
         BRAKED,
+        {"order": 4},
+        "conserving steps of order 4, of at most 0.01 s, by weighted covers, since 'brake' takes "
+        "energy out",
+    ),
+    (
+        BRAKED_BY_FORMULA,
         {"order": 4},
         "conserving steps of order 4, of at most 0.01 s, by weighted covers, since 'brake' takes "
         "energy out",

@@ -120,13 +120,50 @@ static element_bound potential_bound(const context *c, int32_t j)
     return (element_bound){c->number[c->m->depth_damping_at + (j - first_potential(c))], 0.0};
 }
 
+static double no_energy(const context *c, int32_t j)
+{
+    (void)c, (void)j;
+    return 0.0;
+}
+
+static void add_no_sizes(const context *c, int32_t j, double *sum) { (void)c, (void)j, (void)sum; }
+
+/* What force j takes in so many times `taken`, by its role; what pushes where it should take is
+   work. Weights of stages may be negative. */
+static element_work work_of_force(const context *c, int32_t j, double taken, double times)
+{
+    const int is_loss = c->m->force_role[j - first_potential(c)] == TAKES && taken >= 0.0;
+    return is_loss ? (element_work){0.0, times * taken} : (element_work){-times * taken, 0.0};
+}
+
+static element_work force_step(const context *c, int32_t j)
+{
+    composite_result result = {0.0, 0.0, 0.0};
+    force_slopes(c, j, SLOPES_ALONE, &result);
+    return work_of_force(c, j, result.change, 1.0);
+}
+
+static element_work force_rate(const context *c, int32_t j, double time)
+{
+    double along;
+    const double force = force_at_state(c, j, 0, &along);
+    return work_of_force(c, j, force * along, time);
+}
+
+/* A law may take energy out whatever its role: covers serve it, compositions go back in time. */
+static element_bound force_bound(const context *c, int32_t j)
+{
+    return (element_bound){1.0, c->m->force_role[j - first_potential(c)] == WORKS};
+}
+
 static const element_kind LINEAR = {linear_energy, add_linear_sizes, linear_step, linear_rate,
                                     linear_bound},
                           POTENTIAL = {function_value, add_potential_sizes, potential_step,
-                                       potential_rate, potential_bound};
+                                       potential_rate, potential_bound},
+                          FORCE = {no_energy, add_no_sizes, force_step, force_rate, force_bound};
 
 static inline const element_kind *kind_of(const context *c, int32_t j)
-{ return j < c->m->n_elements ? &LINEAR : &POTENTIAL; }
+{ return j < c->m->n_elements ? &LINEAR : is_force(c, j) ? &FORCE : &POTENTIAL; }
 
 /* Whether an element at hand may take energy out, and whether one may do work. */
 static int has_dampers(const context *c)

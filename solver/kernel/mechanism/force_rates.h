@@ -67,6 +67,7 @@ static int32_t add_forces_of_potentials(const context *at, const double *x)
         const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j],
                       *entry = m->leaf + 4 * m->leaf_ptr[j];
         double s = 0.0;
+        if (is_force(at, j)) continue;
         set_local_forms(at, j, 0.5);
         for (int32_t l = 0; l < n; l++) {
             double *rate = at->k.r.r0 + l;
@@ -88,15 +89,63 @@ static int32_t add_forces_of_potentials(const context *at, const double *x)
     return HOLONOM_OK;
 }
 
+/* Likewise the change of forces by derivatives with respect to leaves of this kind, quantities or
+   their rates, where quantities change as in the motion x, or rates do. */
+static int32_t add_changes_of_forces(const context *at, const double *x, int leaf_kind)
+{
+    const holonom_model *m = at->m;
+    for (int32_t j = first_potential(at); j < n_composites(at); j++) {
+        const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
+        double along, change = 0.0;
+        leaf_state leaf;
+        if (!is_force(at, j)) continue;
+        set_local_forms(at, j, 0.5);
+        force_at_state(at, j, 1, &along);
+        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) {
+            double rate;
+            if (entry[4 * l] != leaf_kind) continue;
+            quantity_at(at, entry[4 * l + 1], at->s.q, at->s.q_low, x, &rate);
+            change += at->k.r.adjoint[l] * rate;
+        }
+        const int32_t status = set_leaf(at, entry, 0, &leaf);
+        if (status) return status;
+        add_leaf_force(at, j, entry, &leaf, change);
+    }
+    return HOLONOM_OK;
+}
+
+/* What answers to quantities, springs and potentials, or to their rates, dampers; forces do to
+   both. */
+enum answer { OF_SPRINGS, OF_DAMPERS };
+
+static inline int64_t coefficients_of(const context *at, enum answer which)
+{ return which == OF_SPRINGS ? at->m->stiffness_at : at->m->damping_at; }
+
+static int is_answered(const context *at, enum answer which)
+{
+    for (int32_t j = 0; j < at->m->n_elements; j++)
+        if (at->number[coefficients_of(at, which) + j] != 0.0) return 1;
+    for (int32_t j = first_potential(at); j < n_composites(at); j++)
+        if (is_force(at, j) || which == OF_SPRINGS) return 1;
+    return 0;
+}
+
+/* Adds to momentum what answers to quantities, or rates, that change as in the motion x. */
+static int32_t add_answers(const context *at, enum answer which, const double *x)
+{
+    int32_t status = add_forces_of_elements(at, coefficients_of(at, which), x);
+    if (!status && which == OF_SPRINGS) status = add_forces_of_potentials(at, x);
+    return status ? status
+                  : add_changes_of_forces(at, x, which == OF_SPRINGS ? LEAF_VALUE : LEAF_RATE);
+}
+
 /* Largest eigenvalue of M^-1 K along the rows, by powers of it: K of springs and of the second
    derivatives of potentials, or of dampers. */
-static double largest_rate(const context *at, int64_t coefficient_at, int with_potentials)
+static double largest_rate(const context *at, enum answer which)
 {
     double *x = at->k.ahead, rate = 0.0, last = INFINITY, size;
     uint32_t random = 1;
-    int32_t j = 0;
-    while (j < at->m->n_elements && at->number[coefficient_at + j] == 0.0) j++;
-    if (j == at->m->n_elements && !with_potentials) return 0.0;
+    if (!is_answered(at, which)) return 0.0;
     for (int32_t k = 0; k < DIM * at->n_moving; k++)
         at->k.momentum[k] = (double)(random = 1664525u * random + 1013904223u) - 2147483648.0;
     respond(at, x);
@@ -104,9 +153,7 @@ static double largest_rate(const context *at, int64_t coefficient_at, int with_p
     for (int i = 0; i < MOST_POWERS && size > 0.0 && !(fabs(rate - last) <= CLOSE * rate); i++) {
         const double before = size;
         memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
-        if (add_forces_of_elements(at, coefficient_at, x)
-            || (with_potentials && add_forces_of_potentials(at, x)))
-            return INFINITY;
+        if (add_answers(at, which, x)) return INFINITY;
         respond(at, x);
         size = mass_norm(at, x);
         last = rate;
@@ -133,8 +180,8 @@ HM_SELDOM static double rate_of_springs(const context *c)
    tension does, by its factors; 0 with stiff dampers. */
 HM_SELDOM static double longest_explicit(const context *at)
 {
-    const double springs = largest_rate(at, at->m->stiffness_at, at->m->n_potentials > 0);
-    const double dampers = largest_rate(at, at->m->damping_at, 0);
+    const double springs = largest_rate(at, OF_SPRINGS);
+    const double dampers = largest_rate(at, OF_DAMPERS);
     if (dampers > STIFF * rate_of_motion(at)) return 0.0;
     const double rate = hm_hypot(sqrt(springs) / SPRING_TURN, dampers / DAMPER_WAY);
     return rate < INFINITY ? 1.0 / fmax(1e-300, rate) : 0.0; /* finite: a state keeps it */

@@ -225,6 +225,7 @@ int32_t holonom_assemble(holonom_instance *i)
 const char *holonom_steps(holonom_instance *i, int32_t has_explicit)
 {
     holonom_methods methods;
+    hm_evaluate(i); /* a formula may tell what takes energy out */
     holonom_find_methods(&i->file.model, i->numbers, i->state, i->work, &methods);
     hm_clear(&i->message);
     hm_say_steps(&i->message, &i->file, i->numbers, i->s.head, &methods,

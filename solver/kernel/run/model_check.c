@@ -167,6 +167,17 @@ static int is_function(const checker *c, const int32_t *operation, int32_t n_lea
     return n_leaves > 0 && n_leaves <= c->m->n_registers;
 }
 
+/* Whether potential j, if it is a force, acts along its first leaf, and reads what moves alone. */
+static int is_potential(const checker *c, int32_t j)
+{
+    const holonom_model *m = c->m;
+    if (m->force_role[j - c->count.first_potential] == STORES) return 1;
+    for (int32_t l = m->leaf_ptr[j]; l < m->leaf_ptr[j + 1]; l++)
+        if (m->leaf[4 * l] == LEAF_SIGNAL) return 0;
+    return m->leaf_ptr[j + 1] > m->leaf_ptr[j] && m->leaf[4 * m->leaf_ptr[j]] == LEAF_VALUE
+           && m->depth_register[j - c->count.first_potential] < 0;
+}
+
 static int is_composite(const checker *c, int32_t j)
 {
     const holonom_model *m = c->m;
@@ -184,7 +195,8 @@ static int is_composite(const checker *c, int32_t j)
     if (j < m->n_elements) return leaves == 1 && m->leaf[4 * m->leaf_ptr[j]] == LEAF_VALUE;
     const int32_t begin = m->function_ptr[j - m->n_elements],
                   end = m->function_ptr[j - m->n_elements + 1];
-    return is_function(c, m->operation + 4 * (int64_t)begin, leaves, end - begin);
+    return is_function(c, m->operation + 4 * (int64_t)begin, leaves, end - begin)
+           && (j < c->count.first_potential || is_potential(c, j));
 }
 
 HM_SELDOM static int has_composites(const checker *c)

@@ -320,6 +320,8 @@ static int model_has_dampers(const hm_model_file *f, const double *numbers)
 {
     for (int32_t j = 0; j < f->model.n_elements; j++)
         if (numbers[f->model.damping_at + j] != 0.0) return 1;
+    for (int32_t j = 0; j < f->model.n_potentials; j++)
+        if (f->model.force_role[j] != STORES) return 1;
     return 0;
 }
 

@@ -1,5 +1,5 @@
-/* Function rows, velocity rows and potentials: functions of quantities, rates and signals on the
-   tape of operations. */
+/* Function rows, velocity rows, potentials and forces: functions of quantities, rates and signals on
+   the tape of operations. */
 #ifndef HOLONOM_FUNCTION_H
 #define HOLONOM_FUNCTION_H
 
@@ -131,6 +131,89 @@ HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *po
         x[l].value = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &x[l].rate);
     *power = function_jet(c, j, 0, x, NULL).rate;
     return damping_share(c, j, x[c->m->depth_register[j - first_potential(c)]].rate);
+}
+
+/* --------------------------------------------------------------------------------------- forces */
+
+/* Whether function j is no energy, but a force N along its first quantity, of means and mean rates.
+   It takes N dsigma out in a step, whatever its law. */
+static inline int is_force(const context *c, int32_t j)
+{
+    return j >= first_potential(c) && c->m->force_role[j - first_potential(c)] != STORES;
+}
+
+/* Runs force j, whose leaves are in r0; slopes with respect to them, if asked for. */
+static double run_force(const context *c, int32_t j, int asked)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = j - first_function(c), begin = m->function_ptr[f],
+                  count = m->function_ptr[f + 1] - begin,
+                  n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *op = m->operation + 4 * begin;
+    const double force = hm_value(op, n, count, 0, c->number, c->k.r.r0);
+    if (asked) hm_gradient(op, n, count, 0, c->number, &c->k.r);
+    return force;
+}
+
+/* Likewise at the state; the rate of what it acts along. */
+HM_SELDOM static double force_at_state(const context *c, int32_t j, int asked, double *along)
+{
+    const int32_t *entry = c->m->leaf + 4 * c->m->leaf_ptr[j];
+    for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++, entry += 4) {
+        double rate;
+        const double value = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &rate);
+        c->k.r.r0[l] = entry[0] == LEAF_RATE ? rate : value;
+        if (l == 0) *along = rate;
+    }
+    return run_force(c, j, asked);
+}
+
+/* Derivatives of the slopes of force N, whose own derivatives are in the registers, with respect to
+   the forms at the end. */
+static void force_tangent(const context *c, int32_t j, double force)
+{
+    const holonom_model *m = c->m;
+    const leaf_state *leaf = (const leaf_state *)c->k.leaves;
+    const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j],
+                  *entry = m->leaf + 4 * m->leaf_ptr[j];
+    memset(c->k.curve, 0, sizeof(double) * (size_t)(forms * forms));
+    for (int f = 0; f < 2 && entry[2 + f] >= 0; f++)
+        for (int g = 0; g < 2 && entry[2 + g] >= 0; g++)
+            c->k.curve[forms * entry[2 + f] + entry[2 + g]] = force * leaf->curve[2 * f + g];
+    for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) {
+        const int32_t *read = entry + 4 * l;
+        const double slope =
+            c->k.r.adjoint[l] * (read[0] == LEAF_RATE ? 1.0 / c->h : c->step.theta);
+        for (int f = 0; f < 2 && entry[2 + f] >= 0; f++)
+            for (int g = 0; g < 2 && read[2 + g] >= 0; g++)
+                c->k.curve[forms * entry[2 + f] + read[2 + g]] +=
+                    leaf->p[f] * slope * leaf[l].e[g];
+    }
+}
+
+/* Slopes of the forms by force j in the step, or at the state. At an equilibrium nothing takes
+   energy out. */
+static int32_t force_slopes(const context *c, int32_t j, int asked, composite_result *result)
+{
+    const holonom_model *m = c->m;
+    leaf_state *leaf = (leaf_state *)c->k.leaves;
+    const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
+    const int rests = is_seeking(c) && m->force_role[j - first_potential(c)] == TAKES;
+    double force = 0.0, unused;
+    for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) {
+        const int32_t status = set_leaf(c, entry + 4 * l, is_seeking(c), leaf + l);
+        if (status) return status;
+    }
+    if (!c->step.at_state) load_means(c, j);
+    if (rests) memset(c->k.r.adjoint, 0, sizeof(double) * (size_t)c->m->n_registers);
+    else force = c->step.at_state ? force_at_state(c, j, asked, &unused) : run_force(c, j, asked);
+    if (!(fabs(force) < INFINITY)) return HOLONOM_BAD_LAW;
+    memset(c->k.slope, 0,
+           sizeof(double) * (size_t)(m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]));
+    for (int f = 0; f < 2 && entry[2 + f] >= 0; f++) c->k.slope[entry[2 + f]] = force * leaf->p[f];
+    result->row = 0.0;
+    result->change = result->mechanical = force * leaf->dx;
+    if (asked) force_tangent(c, j, force);
+    return HOLONOM_OK;
 }
 
 /* --------------------------------------------------------------------------------------- slopes */
@@ -321,7 +404,8 @@ static int32_t next_slopes(const context *c, int is_next, int32_t j, int asked,
         memset(c->k.curve, 0, sizeof(double) * forms * forms);
         return HOLONOM_OK;
     }
-    return function_slopes(c, j, asked, is_next, result);
+    return is_force(c, j) ? force_slopes(c, j, asked, result)
+                          : function_slopes(c, j, asked, is_next, result);
 }
 
 static int32_t composite_slopes(const context *c, int32_t j, int asked, composite_result *result)
