@@ -42,7 +42,7 @@ from solver.scene import (
     Stop,
     TorsionSpring,
 )
-from solver.scene.expression import operate, select
+from solver.scene.expression import operate, select, symbol
 from solver.scene.joint_springs import FIELD_OF, SPRING_ALONG
 from solver.scene.quantities import (
     CONTACT,
