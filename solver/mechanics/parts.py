@@ -41,6 +41,9 @@ class JointParts:
     """Row, slope, direction: -mu slope direction is a part of the force on the second body."""
     friction: int | None = None
     """Index among the mechanism's frictions."""
+    spring: int | None = None
+    """Element of the spring in it; likewise of the damper."""
+    damper: int | None = None
     own: dict[str, Leaf] = field(default_factory=dict)
     """Symbols of the slopes with a meaning of their own."""
 

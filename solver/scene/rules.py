@@ -25,7 +25,7 @@ class Place:
 
 
 COORDINATES, LENGTH, ANGLE, RATE = ("x", "y", "z"), "length", "angle", "rate"
-MOTOR_SPEED = "motor_speed"
+ELONGATION, MOTOR_SPEED = "elongation", "motor_speed"
 """Symbols of single places: of a point on a surface, of springs and dampers."""
 SETTING = Place(parameters=False, tunable=False)
 PARAMETER = PROPERTY = Place()
@@ -35,7 +35,7 @@ LOAD = VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
 POTENTIAL = Place(levels=("position",))
 CONSTRAINT = Place(time=True, levels=("position",))
 OUTPUT = Place(time=True, levels=("position", "rate", "acceleration", "result"))
-ANYWHERE = replace(OUTPUT, own=(*COORDINATES, LENGTH, ANGLE, RATE, MOTOR_SPEED))
+ANYWHERE = replace(OUTPUT, own=(*COORDINATES, LENGTH, ELONGATION, ANGLE, RATE, MOTOR_SPEED))
 """All that some place allows; a named expression is held against each place that uses it."""
 
 

@@ -278,6 +278,19 @@ def test_a_force_is_counted_as_what_it_is(capsys, tmp_path, word):
     assert info(capsys, scene)["forces"] == {word: ["one"]}
 
 
+def test_springs_and_dampers_of_joints_are_counted_with_those_of_forces(capsys, tmp_path):
+    scene = tmp_path / "forced.toml"
+    text = FORCED.replace("position = [0, 0] }\n[forces]", "position = [0, 0], {} }}\n[forces]")
+    scene.write_text(text.replace("{} }}", "stiffness = 1, damping = 2 }"))
+    table = lines(capsys, scene)
+    assert table["springs"] == "1  pin.spring"
+    assert table["dampers"] == "1  pin.damper"
+    assert info(capsys, scene)["forces"] == {
+        "torsion_spring": ["pin.spring"],
+        "torsion_damper": ["pin.damper"],
+    }
+
+
 def test_the_mechanism_comes_first_and_the_solver_last(capsys):
     out = run(capsys, "info", SCENES / "four_bar.toml")[1]
     names = [

@@ -63,7 +63,7 @@ LIFTED = ["A.x", "A.vx", "lift.force", "lift.power", "lift.limited", "lift.lengt
 def test_a_cylinder_is_at_its_force_and_then_at_its_power(
     settings: dict[str, object], within: float
 ) -> None:
-    """m v' = F until F v = P at 0.2 s, and then m v v' = P: v(1) = 6 and x(1) = 11/3, work 180."""
+    """It has F until F v = P at 0.2 s, then m v v' = P: v(1) = 6 and x(1) = 11/3, work 180."""
     found = run(LIFT, 1.0, 10, LIFTED, **settings)
     assert found["A.vx"][-1] == pytest.approx(6.0, abs=6.0 * within)
     assert found["A.x"][-1] - 1.0 == pytest.approx(11.0 / 3.0, abs=4.0 * within)
