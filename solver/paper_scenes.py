@@ -1,4 +1,4 @@
-"""Scenes by the method of `solver.paper`: all but contacts, friction and rolling."""
+"""Scenes by the method of `solver.paper`: all but contacts, friction, rolling and force laws."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from solver.options import USUAL_STEP
 from solver.paper.problem import Functions, Method, Problem, check
 from solver.paper.step import Moment, step
 from solver.runtime import Integrator, Model, OptionError
+from solver.runtime.layout import STORES
 
+OF_LAWS = "dampers with a law of their own, or actuators"
+"""What is told in place of names: a model does not tell which of its forces are laws."""
 OF_DAMPED = "damping must be >= 0 s/m", "impact_speed must"
 """How rules begin that compliant contacts with a damping have."""
 
@@ -26,11 +29,13 @@ def refusal(model: Model, depth_damping: Sequence[float]) -> str:
     first = size["n_form_rows"] + size["dim"] * size["n_coincidences"]
     contacts = [first + j - size["n_elements"] for j in model.tables["contact_row"]]
     velocities = model.rows[first + size["n_function_rows"] :]
+    has_laws = any(role != STORES for role in model.tables["force_role"])
     damped = [rule.name for rule in model.rules if rule.message.startswith(OF_DAMPED)]
     found = {
         "contacts, which open and close": [model.rows[j].name for j in contacts],
         "rolling and friction, which are rows of velocities": [row.name for row in velocities],
         "damped contacts, whose damping never pulls": damped if any(depth_damping) else [],
+        "forces that are solved within a step": [OF_LAWS] if has_laws else [],
     }
     message = "; ".join(
         f"{_listed([*dict.fromkeys(names)])}: the paper's method takes no {what}"

@@ -282,6 +282,28 @@ def test_a_contact_that_yields_is_taken_if_it_has_no_damping():
         by_paper(DAMPED, 0.002)
 
 
+FORCED = """
+name = "forced"
+dimension = 2
+[points]
+A = { position = [1, 0], velocity = [1, 0], mass = 1.0 }
+[forces.law]
+points = ["ground", "A"]
+at = [0, 0]
+"""
+
+
+@pytest.mark.parametrize(
+    "law",
+    ['type = "damper"\nforce = "rate**3"', 'type = "actuator"\nvalue = "-rate"'],
+    ids=["damper", "actuator"],
+)
+def test_a_force_that_is_solved_within_a_step_is_refused(law):
+    # As a potential its value would be an energy.
+    with pytest.raises(OptionError, match=r"law of their own.* no forces that are solved within"):
+        by_paper(FORCED + law, 0.01)
+
+
 def test_as_many_scenes_are_taken_and_refused_as_the_page_says():
     taken, refused = [], []
     for path in sorted(SCENES.glob("*.toml")):
