@@ -14,10 +14,11 @@ from solver.mechanics.mechanism import Element, Formula, Friction, Scale
 from solver.mechanics.parts import ForceLaw, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.runtime.layout import LEAF_RATE
-from solver.scene import Actuator, Expr, Number, symbols
+from solver.scene import Actuator, Expr, Number, rules, symbols
 from solver.scene.expression import operate, select, symbol
 
-_RATE = symbol("rate")
+RATE, MOTOR_SPEED = symbol(rules.RATE), symbol(rules.MOTOR_SPEED)
+"""What values and limits of actuators are written in."""
 _LEAST_RATE = 1e-9
 """Rate at and below which the power of an actuator without a largest force is that of this rate
 [m/s, rad/s]."""
@@ -64,16 +65,16 @@ def limited(actuator: Actuator) -> Number:
     weak = 0.0 if strength is None else operate("gt", size, strength)
     if power is None:
         return weak
-    slow = operate("gt", operate("mul", size, operate("abs", _RATE)), power)
+    slow = operate("gt", operate("mul", size, operate("abs", RATE)), power)
     if strength is None:
         return 2.0 * slow
-    first = operate("gt", operate("mul", strength, operate("abs", _RATE)), power)
+    first = operate("gt", operate("mul", strength, operate("abs", RATE)), power)
     return select(slow, select(first, 2.0, 1.0), weak)
 
 
 def at_motor(actuator: Actuator, number: Number) -> Number:
     """Return a number in ``rate`` in the place of ``motor_speed``."""
-    return with_symbols(number, {symbol("motor_speed"): actuator.ratio * _RATE})
+    return with_symbols(number, {MOTOR_SPEED: actuator.ratio * RATE})
 
 
 def _strength(actuator: Actuator) -> Number | None:
@@ -94,10 +95,10 @@ def _limit(actuator: Actuator) -> Number | None:
     if power is None:
         return strength
     least = _LEAST_RATE if strength is None else operate("div", power, strength)
-    if isinstance(strength, Expr) and "rate" in symbols(strength):
-        at_power = operate("div", power, operate("max", operate("abs", _RATE), _LEAST_RATE))
+    if isinstance(strength, Expr) and rules.RATE in symbols(strength):
+        at_power = operate("div", power, operate("max", operate("abs", RATE), _LEAST_RATE))
         return operate("min", strength, at_power)
-    return operate("div", power, operate("max", operate("abs", _RATE), least))
+    return operate("div", power, operate("max", operate("abs", RATE), least))
 
 
 def _passed_on(actuator: Actuator) -> tuple[Number, Number]:
@@ -111,7 +112,7 @@ def _add_gear_losses(rows: Rows, quantity: int, size: Number, scale: Scale) -> N
     rate = mechanism.leaf(quantity, LEAF_RATE)
     rows.detail = " as its gear rubs"
     row = rows.velocity(Formula(leaf_symbol(0), (rate,)), scale)
-    own = {"rate": rate}
+    own = {rules.RATE: rate}
     rows.parts.rubbing[rows.name] = len(mechanism.frictions), 1.0
     preload = sensed(rows.parts, size, own)
     mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, 0.0, preload))

@@ -13,7 +13,7 @@ from itertools import count
 from math import pi
 from typing import Any, TypeAlias
 
-from solver.mechanics.actuators import limited
+from solver.mechanics.actuators import RATE, limited
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
@@ -299,7 +299,7 @@ def _of_an_actuator(sensors: Sensors, name: str, actuator: Actuator) -> Found:
         "torque": force,
         "motor_speed": actuator.ratio * rate,
         "power": force * rate,
-        "limited": with_symbols(limited(actuator), {symbol("rate"): rate}),
+        "limited": with_symbols(limited(actuator), {RATE: rate}),
     }
 
 
@@ -319,7 +319,7 @@ def _tension(
         stretch = value - free_length_of(sensors.parts, name, force)
         return with_symbols(force.force, {LENGTH: value, ELONGATION: stretch})
     assert force.energy is not None
-    return with_symbols(derivative(force.energy, "length"), {LENGTH: value})
+    return with_symbols(derivative(force.energy, str(LENGTH)), {LENGTH: value})
 
 
 # ------------------------------------------------------------------------------------ contacts

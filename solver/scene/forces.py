@@ -93,7 +93,7 @@ class Spring(Part):
         what = "the length of the spring in m"
         _check_mention(reader, energy, given.energy, (LENGTH,), what, "50*(length - 1)**2")
         what = "length - free_length in m"
-        words = "elongation", "length"
+        words = ELONGATION, LENGTH
         _check_law(reader, (*path, "force"), given.force, words, what, "is longer")
 
 
@@ -195,7 +195,7 @@ class TorsionSpring(Part):
             message = "a torsion spring has a stiffness or a torque, not both"
             reader.draft.error((*path, "torque"), message, "leave out one of them")
         what = "the angle of the joint less free_angle in rad"
-        _check_law(reader, (*path, "torque"), given.torque, ("angle",), what, "is turned on")
+        _check_law(reader, (*path, "torque"), given.torque, (ANGLE,), what, "is turned on")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
