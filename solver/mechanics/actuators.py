@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from solver.mechanics.force_laws import add_drive
 from solver.mechanics.formulas import leaf_symbol, sensed, with_symbols
-from solver.mechanics.mechanism import Element, Formula, Friction, Scale
-from solver.mechanics.parts import ForceLaw, JointParts
-from solver.mechanics.rows import METRES, RADIANS, Rows
+from solver.mechanics.mechanism import Element, Formula, Friction
+from solver.mechanics.parts import ForceLaw, JointParts, Parts
+from solver.mechanics.rows import RADIANS, Rows
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import Actuator, Expr, Number, rules, symbols
 from solver.scene.expression import operate, select, symbol
@@ -28,16 +28,9 @@ def add_actuator(rows: Rows, actuator: Actuator, _: JointParts) -> None:
     """Add a force or torque along what an actuator acts on."""
     parts, mechanism = rows.parts, rows.mechanism
     if actuator.points is not None:
-        link = parts.links[rows.name] = parts.link(actuator.points)
-        quantity, scale = mechanism.length(link), METRES
-    else:
-        found = parts.joints[actuator.joint or actuator.guide or ""]
-        quantity, scale = found.angle, RADIANS
-        if actuator.guide is not None:
-            quantity, scale = found.displacement, METRES
-    assert quantity is not None
-    mechanism.use(quantity)
-    force = pushed(actuator)
+        parts.links[rows.name] = parts.link(actuator.points)
+    quantity = mechanism.use(acted_along(parts, rows.name, actuator))
+    force = _within_limits(actuator)
     mean, half = _passed_on(actuator)
     if rows.is_known(force):
         rows.finite((force,), "value")
@@ -47,10 +40,20 @@ def add_actuator(rows: Rows, actuator: Actuator, _: JointParts) -> None:
     else:
         add_drive(rows, quantity, mean * force)
     if isinstance(half, Expr) or half != 0.0:
-        _add_gear_losses(rows, quantity, half * operate("abs", force), scale)
+        _add_gear_losses(rows, quantity, half * operate("abs", force))
 
 
-def pushed(actuator: Actuator) -> Number:
+def acted_along(parts: Parts, name: str, actuator: Actuator) -> int:
+    """Return the quantity that an actuator acts along: a length, an angle or a displacement."""
+    if actuator.points is not None:
+        return parts.mechanism.length(parts.links[name])
+    found = parts.joints[actuator.joint or actuator.guide or ""]
+    quantity = found.angle if actuator.joint is not None else found.displacement
+    assert quantity is not None
+    return quantity
+
+
+def _within_limits(actuator: Actuator) -> Number:
     """Return the force or torque before losses of the gear, in ``rate`` and what else it reads."""
     value, limit = actuator.ratio * at_motor(actuator, actuator.value), _limit(actuator)
     if limit is None:
@@ -107,11 +110,12 @@ def _passed_on(actuator: Actuator) -> tuple[Number, Number]:
     return 0.5 * (1.0 / e + e), 0.5 * (1.0 / e - e)
 
 
-def _add_gear_losses(rows: Rows, quantity: int, size: Number, scale: Scale) -> None:
+def _add_gear_losses(rows: Rows, quantity: int, size: Number) -> None:
+    """Add the friction of a gear, which only a joint's motor has."""
     mechanism = rows.mechanism
     rate = mechanism.leaf(quantity, LEAF_RATE)
     rows.detail = " as its gear rubs"
-    row = rows.velocity(Formula(leaf_symbol(0), (rate,)), scale)
+    row = rows.velocity(Formula(leaf_symbol(0), (rate,)), RADIANS)
     own = {rules.RATE: rate}
     rows.parts.rubbing[rows.name] = len(mechanism.frictions), 1.0
     preload = sensed(rows.parts, size, own)
