@@ -176,6 +176,8 @@ def test_a_strong_controller_is_stable_at_any_step() -> None:
         ('points = ["ground","A"], joint = "hinge", value = 1', "got 'points' and 'joint'"),
         ('joint = "hinge"', "'value' is missing"),
         ('joint = "hinge", value = 1, max_force = 3', "about 'joint' has no force"),
+        ('joint = "hinge", value = "5 kN"', "is 5 kN, and must be in N.m"),
+        ('points = ["ground","A"], at = [0,0], value = "5 N.m"', "is 5 N.m, and must be in N"),
         ('guide = "hinge", value = 1', "has no displacement"),
         ('joint = "hinge", value = 1, ratio = 0', "must be other than 0"),
         ('joint = "hinge", value = 1, efficiency = 1.2', "above 0, and at most 1"),
