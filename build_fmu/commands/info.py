@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 FORCES = {
     "springs": ("spring", "torsion_spring"),
     "dampers": ("damper", "torsion_damper"),
+    "actuators": ("actuator",),
     "torques": ("joint_torque", "torque"),
     "forces": ("force",),
     "potentials": ("potential", "gravitation"),

@@ -125,7 +125,7 @@ def _with_corners(
             if curve in profiles and profiles[curve].has_corners:
                 message = f"moves along the straight lines of '{curve}', whose rate jumps "
                 message += "where they meet; velocities do not follow a jump"
-                help = f'write interpolation = "monotone" in profiles.{curve}'
+                help = f"write {profiles[curve].without_corners} in profiles.{curve}"
                 draft.warn(("constraints", name, "value"), message, help)
 
 

@@ -15,6 +15,7 @@ from solver.scene.quantities import (
     ROTATION_IN_SPACE,
     SCALAR_IN_THE_PLANE,
     Offer,
+    angular_acceleration,
 )
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE
 
@@ -30,6 +31,7 @@ _TURN = (
     Offer(
         "angular_velocity", "rad/s", "angular velocity of {name}", "rate", SCALAR_IN_THE_PLANE
     ),
+    angular_acceleration(SCALAR_IN_THE_PLANE),
 )  # fmt: skip
 
 
@@ -132,7 +134,11 @@ class Rigid(Part):
         Offer(
             "w{}", "rad/s", "angular velocity of {name}, {axis} component", axes=ROTATION_IN_SPACE
         ),
-    )
+        Offer(
+            "wd{}", "rad/s2", "angular acceleration of {name}, {axis} component", "acceleration",
+            ROTATION_IN_SPACE, on_demand=True,
+        ),
+    )  # fmt: skip
     also = {  # noqa: RUF012
         "shape": kind.Table(
             text="box, cylinder or sphere; in 2-D box, disc or rod; with a density or mass",

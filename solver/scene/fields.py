@@ -353,14 +353,14 @@ def setting(
     return kind(unit, text, rule, SETTING, reading=constant, **more)
 
 
-def joint_with(word: str, example: str) -> Plain:
+def joint_with(word: str, example: str, text: str = "") -> Plain:
     """Return the kind of the name of a joint that has an angle or a displacement."""
 
     def read(reader: Reader, path: Path, name: Any, _: Any) -> str:
         reader.joint(path, name, word)
         return "" if name is BROKEN else name
 
-    return Plain(example=example, reading=read)
+    return Plain(text=text, example=example, reading=read)
 
 
 def _body(reader: Reader, path: Path, name: Any, _: Any) -> str | None:

@@ -17,6 +17,7 @@ ALONG = (
     Offer("friction", "N", "friction of {name} on the motion of its second body"),
     Offer("slip", "m/s", "slip rate of {name}"),
     Offer("friction_mode", "1", "of {name}: 1 while friction holds it, 2 while it slides"),
+    Offer("power", "W", "power of the friction of {name}, never positive", on_demand=True),
 )
 """Of a joint that slides; of a cylindrical one the sizes."""
 ABOUT = turning(ALONG)

@@ -227,6 +227,9 @@ class NumberChecks:
             return f"'{name}' is a velocity, and only positions are possible here", None
         words = "positions and velocities" if "rate" in place.levels else "positions"
         help = f"here the {words} of points and joints are possible"
+        if level == "acceleration":
+            message = f"'{name}' is an acceleration, which follows from all forces and constraints"
+            return f"{message}: it is possible only in outputs", help
         return f"'{name}' is possible only in outputs", help
 
     def _parameter(self, name: str, place: Place) -> tuple[str, str | None] | None:

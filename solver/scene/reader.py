@@ -150,7 +150,7 @@ def _build(draft: Draft) -> Scene:
     reader.read("inputs")
     for table in ("points", "bodies"):
         reader.read(table, drawn[table])
-    for table in ("joints", "constraints", "contacts", "forces", "drivers"):
+    for table in ("joints", "constraints", "contacts", "forces", "drivers", "sensors"):
         reader.read(table)
     _something_moves(draft, reader.parts["points"])
     _free_points_have_mass(draft, drawn["points"], reader.parts)

@@ -25,6 +25,7 @@ class Place:
 
 
 COORDINATES, LENGTH, ANGLE, RATE = ("x", "y", "z"), "length", "angle", "rate"
+ELONGATION, MOTOR_SPEED = "elongation", "motor_speed"
 """Symbols of single places: of a point on a surface, of springs and dampers."""
 SETTING = Place(parameters=False, tunable=False)
 PARAMETER = PROPERTY = Place()
@@ -33,8 +34,8 @@ FORCE = DRIVER = Place(time=True)
 LOAD = VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
 POTENTIAL = Place(levels=("position",))
 CONSTRAINT = Place(time=True, levels=("position",))
-OUTPUT = Place(time=True, levels=("position", "rate", "result"))
-ANYWHERE = replace(OUTPUT, own=(*COORDINATES, LENGTH, ANGLE, RATE))
+OUTPUT = Place(time=True, levels=("position", "rate", "acceleration", "result"))
+ANYWHERE = replace(OUTPUT, own=(*COORDINATES, LENGTH, ELONGATION, ANGLE, RATE, MOTOR_SPEED))
 """All that some place allows; a named expression is held against each place that uses it."""
 
 

@@ -27,6 +27,7 @@ from solver.scene.named_expressions import Expression
 from solver.scene.parameters import DISPLAY_UNIT, TEXT, UNIT, Input, Parameter, settle_units
 from solver.scene.profiles import Profile
 from solver.scene.rules import OUTPUT
+from solver.scene.sensors import SENSORS
 from solver.scene.settings import Experiment, Ports, SolverSettings
 from solver.scene.shapes import SHAPES
 from solver.scene.surfaces import SURFACES
@@ -114,6 +115,7 @@ class Scene(Part):
     ] = field(default_factory=dict)
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
     drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)
+    sensors: Annotated[dict[str, Part], _table("sensor", SENSORS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)
     solver: Annotated[SolverSettings, _table("", SolverSettings)] = field(
         default_factory=SolverSettings
@@ -138,6 +140,16 @@ class Scene(Part):
         for name in TopologicalSorter(uses).static_order():
             values[name] = float((given or {}).get(name, evaluate(numbers[name], values)))
         return values
+
+    def results(self) -> list[str]:
+        """Names of the outputs and of the values of sensors: what reports plot."""
+        offered = (
+            (name, offer)
+            for name, sensor in self.sensors.items()
+            for offer in sensor.offered(sensor.given())
+        )
+        values = (x for name, offer in offered for x, _ in offer.named(name, self.dimension))
+        return [*self.outputs, *values]
 
     def sentences(self) -> tuple[str, ...]:
         """Each warning as it is reported, with its line and help."""

@@ -225,6 +225,46 @@ def test_all_that_reads_a_joint_means_what_it_did():
     assert (again.text, again.remarks) == (closing.text, ())
 
 
+SPRUNG = """
+[constraints]
+held = { value = "shoulder.angle - 0.2" }
+[profiles]
+law = { x = [-4, 0, 4], y = [-2, 0, 3] }
+[forces]
+coil = { type = "torsion_spring", joint = "shoulder", torque = "law(angle)" }
+rope = { type = "spring", points = ["ground", "lower.tip"], at = [1, 1], force = "4*elongation**3" }
+[solver]
+assemble = true
+tolerance = 1e-9
+"""
+
+
+def test_springs_of_joints_and_by_curves_mean_what_they_did():
+    text = arm("plane", [1.2, 0.8]).partition("[drivers]")[0] + SPRUNG
+    text = text.replace("position = [0.0, 0.0] }", "position = [0.0, 0.0], stiffness = 3 }")
+    text = text.replace(
+        "position = [1.0, 0.0] }",
+        'position = [1.0, 0.0], stiffness = 2, damping = 0.1, free_angle = "2*0.05" }',
+    )
+    text = text.replace("lower = { position = [1.5, 0.0],", "lower = { position = [1.5, 0.1],")
+    closing = solver.close(solver.loads(text))
+    before, after = start_silent(text), start(closing.text)
+    for step in range(20):
+        for name in ("lower.x", "lower.y", "lower.angle", "shoulder.spring", "elbow.spring",
+                     "coil.torque", "rope.force"):  # fmt: skip
+            assert float(after[name]) == pytest.approx(float(before[name]), abs=1e-6)
+        for integrator in (before, after):
+            integrator.advance(0.05 * step, 0.05)
+    remarks = "\n".join(closing.remarks)
+    for said in (
+        "joints.shoulder.free_angle: -0.2 is added, since shoulder.angle is 0.2 rad less",
+        "forces.coil.free_angle: -0.2 is added",
+        "joints.elbow.free_angle: ",
+        "forces.rope.free_length: ",
+    ):
+        assert said in remarks
+
+
 GEARED = """
 name = "geared"
 dimension = 2
@@ -438,3 +478,31 @@ def test_both_ends_of_a_spring_and_the_floor_stay_where_they_are_fixed():
         assert float(after[name]) == pytest.approx(float(before[name]), abs=1e-12)
     assert "at = [[0.4, 0.5], [" in closed
     assert "position = [0, 0.5]" in closed
+
+
+def test_instruments_go_with_the_bodies_that_carry_them():
+    text = """
+        name = "mast"
+        dimension = 2
+        [points]
+        O = { position = [0, 0], fixed = true }
+        [bodies.arm]
+        position = [0.1, 0.05]
+        orientation = 0.1
+        mass = 1
+        inertia = 1
+        points = { end = [0, 0], tip = [1, 0] }
+        [joints]
+        pin = { type = "revolute", points = ["O", "arm.end"] }
+        rod = { type = "distance", points = ["ground", "arm.tip"], at = [1, 3], length = 3 }
+        [sensors]
+        imu = { type = "imu", body = "arm", at = [0.6, 0.2], orientation = 0.2 }
+        way = { type = "relative", points = ["O", "arm"], at = [0.6, 0.2] }
+        [solver]
+        assemble = true
+        """
+    closed = solver.close(solver.loads(text)).text
+    (x, y), old = (tomllib.loads(closed)["sensors"]["imu"]["at"], (0.6 - 0.1, 0.2 - 0.05))
+    c, s = math.cos(0.1), math.sin(0.1)  # the arm comes to lie along x, from the origin
+    assert (x, y) == pytest.approx((c * old[0] + s * old[1], c * old[1] - s * old[0]), abs=1e-12)
+    assert float(start(unassembled(closed))["way.distance"]) == pytest.approx(math.hypot(x, y))
