@@ -46,8 +46,8 @@ STIFFNESS_ABOUT = _coefficient("N.m/rad", 20.0, "of a torsion spring in the join
 DAMPING_ABOUT = _coefficient("N.m.s/rad", 0.3, "of a torsion damper in the joint")
 STIFFNESS_ALONG = _coefficient("N/m", 100.0, "of a spring along the joint")
 DAMPING_ALONG = _coefficient("N.s/m", 1.0, "of a damper along the joint")
-STIFFNESS_OF = _coefficient("N.m/rad, or N/m along the joint", 20.0, "of a spring in the joint")
-DAMPING_OF = _coefficient("N.m.s/rad, or N.s/m along the joint", 0.3, "of a damper in the joint")
+STIFFNESS_OF = _coefficient("N.m/rad or N/m", 20.0, "of a spring about or along the joint")
+DAMPING_OF = _coefficient("N.m.s/rad or N.s/m", 0.3, "of a damper about or along the joint")
 FREE_ANGLE = kind.Quantity("rad", "of the spring; as drawn unless given", None, FORCE, 0.1,
                            reading=_free_angle)  # fmt: skip
 FREE_DISPLACEMENT = kind.Quantity("m", "of the spring; as drawn unless given", None, FORCE, 0.01)
@@ -73,6 +73,11 @@ def check_springs(reader: "Reader", path: Path, given: Any, *, both: bool) -> No
         message = "'of' is missing: whether they act on the angle or on the displacement"
         draft.error(path, message, 'write of = "angle", or of = "displacement"')
     if both and "of" in found and given.of is not BROKEN:
+        units = {"stiffness": "N.m/rad", "damping": "N.m.s/rad"}
+        if given.of == "displacement":
+            units = {"stiffness": "N/m", "damping": "N.s/m"}
+        for field, unit in units.items():
+            reader.in_unit((*path, field), getattr(given, field), unit)
         other = {"angle": "free_displacement", "displacement": "free_angle"}[given.of]
         if other in found:
             message = f'the spring acts on the {given.of}, by of = "{given.of}"'
