@@ -50,7 +50,15 @@ WORDS = {"angle": "rad", "displacement": "m"}
 LINEAR, SPINS = ("vx", "vy", "vz"), ("wx", "wy", "wz", "angular_velocity")
 """Words of velocities and of angular velocities."""
 TABLES_WITH_PLACES = ("joints", "forces", "drivers", "contacts", "sensors")
-TABLES_WITH_FORMULAS = ("constraints", "contacts", "forces", "drivers", "outputs", "joints")
+TABLES_WITH_FORMULAS = (
+    "expressions",
+    "constraints",
+    "contacts",
+    "forces",
+    "drivers",
+    "outputs",
+    "joints",
+)
 _TOKEN = re.compile(rf"#[^\n]*|{STRING.pattern}", re.DOTALL)
 
 
@@ -237,26 +245,36 @@ class Edit:
 
     def _count_from_the_new_drawing(self) -> None:
         """Let what is compared with a joint's angle or displacement mean what it did."""
+        for path, joint, word, is_free in self._counted():
+            count = f"{joint}.{word}"
+            if count not in self._counts or not (path in self._spans or is_free):
+                continue
+            given = 0.0
+            if path in self._spans:
+                given = value_of(self._written(path), self._source.notation)
+            new = less(given, self._counts[count])
+            scale = 1.0 if word == "angle" else self._size
+            new = rounded(new, scale) if isinstance(new, float) else new
+            self.values[path] = new
+            there = f"replaces {self._written(path)}" if path in self._spans else "is added"
+            self._tell(path, new if isinstance(new, str) else repr(new), there, count)
+
+    def _counted(self) -> Iterator[tuple[Path, str, str, bool]]:
+        """Yield what is compared with an angle or displacement: field, joint, which of both.
+
+        The last one tells whether a field that is not given means 0, as drawn.
+        """
         for table, fields in COUNTED.items():
             for name, part in getattr(self._scene, table).items():
                 word = getattr(part, "of", None) or getattr(part, "type", None)
                 word = word if word in WORDS else "angle"
-                count = f"{getattr(part, 'joint', None)}.{word}"
-                for path in ((table, name, field) for field in fields):
-                    if count not in self._counts:
-                        continue
-                    scale = 1.0 if word == "angle" else self._size
-                    if path in self._spans:
-                        given = value_of(self._written(path), self._source.notation)
-                    elif isinstance(part, TorsionSpring):
-                        given = 0.0
-                    else:
-                        continue
-                    new = less(given, self._counts[count])
-                    new = rounded(new, scale) if isinstance(new, float) else new
-                    self.values[path] = new
-                    there = f"replaces {self._written(path)}" if path in self._spans else "is added"
-                    self._tell(path, new if isinstance(new, str) else repr(new), there, count)
+                for field in fields:
+                    is_free = isinstance(part, TorsionSpring)
+                    yield (table, name, field), getattr(part, "joint", ""), word, is_free
+        for name, part in self._scene.joints.items():
+            if isinstance(part, BodyJoint) and part.stiffness is not None:
+                word = "displacement" if part.springs_along else "angle"
+                yield ("joints", name, f"free_{word}"), name, word, True
 
     def _change_formulas(self) -> None:
         """Let formulas that read a joint read what it counted from the old drawing."""

@@ -29,7 +29,16 @@ from solver.runtime.layout import (
     measured_size,
 )
 from solver.runtime.model import Rule
-from solver.scene import Expr, ExpressionError, Number, Scene, SceneWarning, symbols
+from solver.scene import (
+    BodyJoint,
+    Expr,
+    ExpressionError,
+    Number,
+    Scene,
+    SceneWarning,
+    symbols,
+)
+from solver.scene.joint_springs import FIELD_OF
 from solver.scene.reader import collector_paused
 
 STEEP = {CODE[name] for name in ("sqrt", "pow", "asin", "acos")}
@@ -143,7 +152,7 @@ def unchecked_model(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Mod
         rows=tuple(row.row for row in structure.multipliers),
         sampled=tuple(name for _, _, name in structure.sampled),
         switches=names_of_switches(parts, switches),
-        forces={name: force.type for name, force in scene.forces.items()},
+        forces=_types_of_forces(scene),
         meshes=parts.meshes,
         settings=_settings(scene, unilateral=bool(structure.sizes["unilateral"])),
         experiment=Experiment(
@@ -163,6 +172,18 @@ def _named_by(scene: Scene) -> frozenset[str]:
     mentioned = (name for output in scene.outputs.values() for name in symbols(output.value))
     shown = chain(*scene.view.plots, scene.fmu.outputs or ())
     return frozenset(chain(mentioned, shown))
+
+
+def _types_of_forces(scene: Scene) -> dict[str, str]:
+    """Types of all forces by their names, with those of springs and dampers in joints."""
+    found = {name: force.type for name, force in scene.forces.items()}
+    for name, joint in scene.joints.items():
+        if isinstance(joint, BodyJoint):
+            twists = "" if joint.springs_along else "torsion_"
+            for word, field in FIELD_OF.items():
+                if getattr(joint, field) is not None:
+                    found[f"{name}.{word}"] = f"{twists}{word}"
+    return found
 
 
 def _settings(scene: Scene, *, unilateral: bool) -> dict[str, float | str | bool]:

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import pi
 
+from solver.mechanics.actuators import add_actuator
+from solver.mechanics.antiderivative import energy_of
 from solver.mechanics.combination import Combination
 from solver.mechanics.force_laws import add_resistance
-from solver.mechanics.formulas import formula, leaf_symbol, sensed
+from solver.mechanics.formulas import formula, leaf_symbol, sensed, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.kinks import add_kinks
 from solver.mechanics.mechanism import BodyMoment, Element, Formula, Leaf, Load, Moment, Scale
-from solver.mechanics.parts import AXES, JointParts
+from solver.mechanics.parts import AXES, JointParts, Parts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.rubbing import without_friction
 from solver.mechanics.vectors import Vector, dot
 from solver.runtime.layout import LEAF_VALUE
 from solver.scene import (
+    Actuator,
     Damper,
     Expr,
     Force,
@@ -30,7 +34,10 @@ from solver.scene import (
     TorsionSpring,
     symbols,
 )
-from solver.scene.expression import sqrt
+from solver.scene.expression import sqrt, symbol
+
+LENGTH, ELONGATION, ANGLE = map(symbol, ("length", "elongation", "angle"))
+"""What forces and torques of springs are written in."""
 
 
 def _link(rows: Rows, ends: tuple[PointReference, PointReference]) -> Combination:
@@ -44,7 +51,7 @@ def _element(rows: Rows, element: Element) -> None:
 
 
 def add_spring(rows: Rows, force: Spring, _: JointParts) -> None:
-    """Add a linear spring, or one with an energy of its length."""
+    """Add a linear spring, or one with a force or an energy of its length."""
     mechanism, parts = rows.mechanism, rows.parts
     link = _link(rows, force.points)
     if force.energy is not None:
@@ -52,13 +59,45 @@ def add_spring(rows: Rows, force: Spring, _: JointParts) -> None:
         mechanism.potentials.append(formula(parts, force.energy, signals=False, own=own))
         add_kinks(rows, force.energy, own)
         return
-    free_length = force.free_length
-    if free_length is None:
-        drawn = mechanism.drawn(link)
-        free_length = sqrt(dot(drawn, drawn))
+    free_length = free_length_of(parts, rows.name, force)
+    if force.force is not None:
+        length = with_symbols(force.force, {LENGTH: ELONGATION + free_length})
+        reach = mechanism.default(free_length) or mechanism.default(_drawn_length(parts, link))
+        _add_law(rows, length, ELONGATION, LENGTH, mechanism.length(link), free_length, reach)
+        return
     assert force.stiffness is not None
     law = sensed(parts, force.stiffness), sensed(parts, free_length)
     _element(rows, Element(mechanism.use(mechanism.length(link)), *law))
+
+
+def free_length_of(parts: Parts, name: str, spring: Spring) -> Number:
+    """Return the free length of a spring, as drawn unless it is given."""
+    given = spring.free_length
+    return _drawn_length(parts, parts.links[name]) if given is None else given
+
+
+def _drawn_length(parts: Parts, link: Combination) -> Number:
+    drawn = parts.mechanism.drawn(link)
+    return sqrt(dot(drawn, drawn))
+
+
+def _add_law(
+    rows: Rows, law: Number, stretch: Expr, measured: Expr, quantity: int, free: Number,
+    reach: float,
+) -> None:  # fmt: skip
+    """Add the energy of a force or torque, a function of the symbol `stretch`.
+
+    That is the quantity, which is called `measured` here, less its `free` value.
+    """
+    mechanism = rows.mechanism
+    energy = energy_of(law, str(stretch), reach, mechanism.defaults)
+    own = {str(measured): Leaf(LEAF_VALUE, quantity)}
+    energy, law = (with_symbols(x, {stretch: measured - free}) for x in (energy, law))
+    mechanism.potentials.append(formula(rows.parts, energy, signals=False, own=own))
+    # Those of the force, whose energy is smoother by one derivative. Where the free value moves, a
+    # half step has them where they are in its middle, and no end of a step would meet them.
+    if symbols(free).isdisjoint({"t", *rows.parts.scene.inputs}):
+        add_kinks(rows, law, own)
 
 
 def add_damper(rows: Rows, force: Damper, _: JointParts) -> None:
@@ -95,7 +134,11 @@ def add_twist(
     assert angle is not None
     rows.mechanism.use(angle)
     match force:
+        case TorsionSpring(torque=torque) if torque is not None:
+            own = symbol(f"{force.joint}.angle")
+            _add_law(rows, torque, ANGLE, own, angle, force.free_angle, pi)
         case TorsionSpring():
+            assert force.stiffness is not None
             law = sensed(parts, force.stiffness), sensed(parts, force.free_angle)
             _element(rows, Element(angle, *law))
         case TorsionDamper() if force.torque is not None:
@@ -171,5 +214,5 @@ def _value(
 FORCES = {
     Spring: add_spring, Damper: add_damper, Gravitation: add_gravitation,
     Potential: add_potential, TorsionSpring: add_twist, TorsionDamper: add_twist,
-    JointTorque: add_twist, Force: add_load, Torque: add_torque,
+    JointTorque: add_twist, Force: add_load, Torque: add_torque, Actuator: add_actuator,
 }  # fmt: skip

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from math import pi
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.formulas import leaf_symbol
+from solver.mechanics.formulas import leaf_symbol, sensed
 from solver.mechanics.frames import Frame, Ground
-from solver.mechanics.mechanism import Formula, Friction, Leaf, Mechanism
+from solver.mechanics.mechanism import Element, Formula, Friction, Leaf, Mechanism
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import Vector, perpendicular, turned, unit
@@ -159,7 +159,26 @@ def add_joint(rows: Rows, joint: BodyJoint, found: JointParts) -> None:
             found.axis = pair.A.direction(pair.axis)
         if joint.friction is not None:
             _add_friction(pair, joint.friction)
+        _add_spring_and_damper(rows, joint, found)
     found.reaction = rows.close()
+
+
+def _add_spring_and_damper(rows: Rows, joint: BodyJoint, found: JointParts) -> None:
+    """Add the elements that the fields of a joint ask for, about its axis or along it."""
+    quantity = found.displacement if joint.springs_along else found.angle
+    free = joint.free_displacement if joint.springs_along else joint.free_angle
+    free = 0.0 if free is None else free
+    elements = rows.mechanism.elements
+    if joint.stiffness is not None:
+        assert quantity is not None
+        law = sensed(rows.parts, joint.stiffness), sensed(rows.parts, free)
+        found.spring = len(elements)
+        elements.append(Element(rows.mechanism.use(quantity), *law))
+    if joint.damping is not None:
+        assert quantity is not None
+        damping = sensed(rows.parts, joint.damping)
+        found.damper = len(elements)
+        elements.append(Element(rows.mechanism.use(quantity), damping=damping))
 
 
 def _add_friction(pair: Pair, friction: JointFriction) -> None:

@@ -13,9 +13,11 @@ from itertools import count
 from math import pi
 from typing import Any, TypeAlias
 
+from solver.mechanics.actuators import limited
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
+from solver.mechanics.forces import ANGLE, ELONGATION, LENGTH, free_length_of
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.instruments import of_a_sensor
@@ -23,7 +25,9 @@ from solver.mechanics.parts import JointParts
 from solver.mechanics.powers import along, of_a_load, of_a_potential
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
+from solver.runtime.layout import LEAF_RATE, LEAF_VALUE
 from solver.scene import (
+    Actuator,
     BodyJoint,
     ClearanceContact,
     Constraint,
@@ -47,6 +51,7 @@ from solver.scene import (
     TorsionSpring,
 )
 from solver.scene.expression import operate, select, symbol
+from solver.scene.joint_springs import FIELD_OF, SPRING_ALONG
 from solver.scene.quantities import (
     CONTACT,
     FRICTION,
@@ -84,6 +89,9 @@ def named(sensors: Sensors) -> Iterator[Named]:
     for table, values_of in _VALUES.items():
         for name, part in getattr(scene, table).items():
             offers = part.offered(part.given())
+            if isinstance(part, BodyJoint) and part.springs_along:
+                others = (offer for offer in offers if offer.word not in FIELD_OF)
+                offers = (*others, *SPRING_ALONG)  # those without a value are left out
             values = values_of(sensors, name, part) if offers else {}
             yield from _named(sensors, name, part, offers, values)
     for name, contact in scene.contacts.items():
@@ -175,6 +183,9 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
         force, slip, mode = (Ref("friction", found.friction, k) for k in range(3))
         values |= dict(zip(words, (force, slip, mode), strict=True))
         values["power"] = lambda: -1.0 * _size(sensors, force) * _size(sensors, slip)
+    for word, element in (("spring", found.spring), ("damper", found.damper)):
+        if element is not None:
+            values[word] = Ref("element_force", element)
     if isinstance(joint, Gear) and joint.backlash is not None:
         values |= _of_a_contact(sensors, name, joint)
         pushes = [sensors.value(Ref("contact", k, FORCE)) for k in sensors.parts.contacts[name]]
@@ -228,6 +239,8 @@ def _of_a_constraint(sensors: Sensors, name: str, _: Constraint) -> Found:
 def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     """Length and force, torque or energy of a force."""
     parts = sensors.parts
+    if isinstance(force, Actuator):
+        return _of_an_actuator(sensors, name, force)
     if name in parts.links:
         line = parts.mechanism.length(parts.links[name])
         length = Ref("quantity", line)
@@ -242,6 +255,10 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     assert isinstance(force, (TorsionSpring, TorsionDamper, JointTorque))
     angle = parts.joints[force.joint].angle
     assert angle is not None
+    if isinstance(force, TorsionSpring) and force.torque is not None:
+        turned = sensors.value(Ref("quantity", angle)) - force.free_angle
+        torque = with_symbols(force.torque, {ANGLE: turned})
+        return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
     if name in parts.force_laws:
         torque = _of_law(sensors, name)
         return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
@@ -256,27 +273,53 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
 
 
 def _of_law(sensors: Sensors, name: str) -> Number:
-    """Return a force that reads the motion, positive where it draws its quantity together."""
-    law, quantity, word = sensors.parts.force_laws[name]
-    value, rate = (sensors.value(Ref(x, quantity)) for x in ("quantity", "quantity_rate"))
-    force = with_symbols(law, {symbol(word): value, symbol("rate"): rate})
+    """Return a force with a law of its own, positive where it draws its quantity together."""
+    law, own = sensors.parts.force_laws[name]
+    kinds = {LEAF_VALUE: "quantity", LEAF_RATE: "quantity_rate"}
+    seen = {symbol(x): sensors.value(Ref(kinds[y.kind], y.index)) for x, y in own.items()}
     rubs, sign = sensors.parts.rubbing.get(name, (None, 0.0))
+    force = with_symbols(law, seen)
     return force if rubs is None else force - sign * sensors.value(Ref("friction", rubs, 0))
+
+
+def _of_an_actuator(sensors: Sensors, name: str, actuator: Actuator) -> Found:
+    """Force or torque along what it acts on, its power, and which limit it is at."""
+    parts = sensors.parts
+    if actuator.points is not None:
+        quantity = parts.mechanism.length(parts.links[name])
+    else:
+        found = parts.joints[actuator.joint or actuator.guide or ""]
+        quantity = found.angle if actuator.joint is not None else found.displacement
+        assert quantity is not None
+    rate = sensors.value(Ref("quantity_rate", quantity))
+    force = -1.0 * _of_law(sensors, name)
+    return {
+        "length": Ref("quantity", quantity),
+        "force": force,
+        "torque": force,
+        "motor_speed": actuator.ratio * rate,
+        "power": force * rate,
+        "limited": with_symbols(limited(actuator), {symbol("rate"): rate}),
+    }
 
 
 def _tension(
     sensors: Sensors, name: str, force: Part, length: Ref
 ) -> Ref | Number:  # fmt: skip
-    """Return dV/dl of a spring with an energy and of gravitation, else what is measured."""
+    """Return the force of a law, dV/dl of an energy and of gravitation, or what is measured."""
     if isinstance(force, Gravitation):
         value = sensors.value(length)
         return force.constant * force.masses[0] * force.masses[1] / (value * value)
     if name in sensors.parts.force_laws:
         return _of_law(sensors, name)
-    if not isinstance(force, Spring) or force.energy is None:
+    if not isinstance(force, Spring) or force.stiffness is not None:
         return Ref("element_force", sensors.parts.elements[name])
-    slope = derivative(force.energy, "length")
-    return with_symbols(slope, {symbol("length"): sensors.value(length)})
+    value = sensors.value(length)
+    if force.force is not None:
+        stretch = value - free_length_of(sensors.parts, name, force)
+        return with_symbols(force.force, {LENGTH: value, ELONGATION: stretch})
+    assert force.energy is not None
+    return with_symbols(derivative(force.energy, "length"), {LENGTH: value})
 
 
 # ------------------------------------------------------------------------------------ contacts

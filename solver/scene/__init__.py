@@ -5,6 +5,7 @@ scene = load("double_pendulum.toml", {"length": 2.0, "points.A.mass": 3.0})
 
 from __future__ import annotations
 
+from solver.scene.actuators import Actuator
 from solver.scene.bodies import Bar, Body, Point, Rigid
 from solver.scene.contact_laws import Contact, RubbingContact
 from solver.scene.contacts import (

@@ -8,11 +8,25 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from solver.scene import fields as kind
-from solver.scene.expression import Number, Vector
+from solver.scene.actuators import Actuator
+from solver.scene.expression import ExpressionError, Number, Vector, evaluate
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
 from solver.scene.quantities import POWER, Offer
-from solver.scene.rules import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
+from solver.scene.rules import (
+    ANGLE,
+    ELONGATION,
+    FORCE,
+    LENGTH,
+    LOAD,
+    NOT_NEGATIVE,
+    POSITIVE,
+    POTENTIAL,
+    PROPERTY,
+    RATE,
+    Place,
+)
+from solver.scene.words import a
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -31,6 +45,9 @@ _AGAINST = Offer(
 )
 _AXES = kind.Choice(text="axes of the components", words=("global", "body"))
 _JOINT = kind.joint_with("angle", "bearing")
+_ELONGATION, _ANGLE = Place(own=(ELONGATION, LENGTH)), Place(own=(ANGLE,))
+_NEAR = 1e-6
+"""Elongation in m, or angle in rad, at which the sign of a law is looked at."""
 
 
 def _quantity(unit: str, example: float | None = None, text: str = "") -> kind.Quantity:
@@ -39,40 +56,79 @@ def _quantity(unit: str, example: float | None = None, text: str = "") -> kind.Q
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Spring(Part):
-    """A spring between two points: linear, or with an energy that depends on its length."""
+    """A spring between two points: linear, or with a force or an energy of its length."""
 
     type = "spring"
     offers = _ON_A_LINE
 
     points: Annotated[Ends, kind.TWO_ENDS]
     stiffness: Annotated[Number | None, _quantity("N/m", 100.0)] = None
-    """None where `energy` is given."""
+    """None where `force` or `energy` is given."""
+    force: Annotated[
+        Number | None, kind.Quantity("N", "an expression in `elongation`", place=_ELONGATION)
+    ] = None
+    """Positive in tension, an expression in ``elongation`` (m), length less free length."""
     free_length: Annotated[Number | None, _quantity("m", text="as drawn unless given")] = None
     energy: Annotated[
-        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=("length",)))
+        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=(LENGTH,)))
     ] = None
     """Stored energy, an expression in the symbol ``length`` (m)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
-        """Check that it is linear or has an energy in its length, and not both."""
+        """Check that it has a stiffness, a force or an energy, and no two of them."""
         draft, energy = reader.draft, (*path, "energy")
-        if given.stiffness is None and given.energy is None:
-            help = "write stiffness = 100.0, or an energy in 'length'"
+        laws = [
+            word for word in ("stiffness", "force", "energy") if getattr(given, word) is not None
+        ]
+        if not laws:
+            help = "write stiffness = 100.0, a force of 'elongation', or an energy in 'length'"
             draft.error(path, "'stiffness' is missing", help)
-        elif given.stiffness is not None and given.energy is not None:
-            message = "a spring has a stiffness or an energy, not both"
-            draft.error(energy, message, "leave out one of them")
+        elif len(laws) > 1:
+            first, last = map(a, (laws[0], laws[-1]))
+            message = f"a spring has {first} or {last}, not both"
+            draft.error((*path, laws[-1]), message, "leave out one of them")
         elif given.energy is not None and given.free_length is not None:
             message = "the energy already defines the free length of the spring"
             draft.error((*path, "free_length"), message, "leave it out")
-        mentions = () if given.energy in (None, BROKEN) else given.energy.mentions
-        if given.energy not in (None, BROKEN) and "length" not in {x.name for x in mentions}:
-            message = "mentions no 'length', the length of the spring in m"
-            draft.error(energy, message, 'such as "50*(length - 1)**2"')
+        what = "the length of the spring in m"
+        _check_mention(reader, energy, given.energy, (LENGTH,), what, "50*(length - 1)**2")
+        what = "length - free_length in m"
+        words = "elongation", "length"
+        _check_law(reader, (*path, "force"), given.force, words, what, "is longer")
+
+
+def _check_mention(
+    reader: "Reader", path: Path, given: Any, words: tuple[str, ...], what: str, example: str
+) -> bool:
+    """Check that a law, if it is given and not broken, mentions what it depends on."""
+    names = set() if given in (None, BROKEN) else {mention.name for mention in given.mentions}
+    if given in (None, BROKEN) or names - {*words, *reader.known.of("parameter")}:
+        return False  # what it mentions instead is reported already
+    if not names.isdisjoint(words):
+        return True
+    reader.draft.error(path, f"mentions no '{words[0]}', {what}", f'such as "{example}"')
+    return False
+
+
+def _check_law(
+    reader: "Reader", path: Path, given: Any, words: tuple[str, ...], what: str, where: str
+) -> None:
+    """Check a force or torque that depends on one of `words`; warn of one with the wrong sign."""
+    word, found = words[0], []
+    if not _check_mention(reader, path, given, words, what, f"100*{word} + 400*{word}**3"):
+        return
+    for place in (-_NEAR, 0.0, _NEAR):
+        try:
+            found.append(evaluate(given.number, {**reader.known.values, word: place}))
+        except (ExpressionError, KeyError):  # of a length as well, or not everywhere
+            return
+    if found[0] > 0.0 == found[1] > found[2]:
+        message = f"is negative where it {where}, and so pushes on from {word} = 0"
+        reader.draft.warn(path, message, "turn its sign, unless it is meant to be unstable there")
 
 
 def _law_of_rate(unit: str, word: str) -> kind.Quantity:
-    place = Place(time=True, levels=("position", "rate"), own=("rate", word))
+    place = Place(time=True, levels=("position", "rate"), own=(RATE, word))
     return kind.Quantity(unit, f"an expression in `rate`, and perhaps `{word}`", place=place)
 
 
@@ -85,7 +141,7 @@ def _check_damper(reader: "Reader", path: Path, given: Any, field: str, example:
     elif given.damping is not None and law is not None:
         message = f"a damper has a damping or a {field}, not both"
         draft.error((*path, field), message, "leave out one of them")
-    elif law not in (None, BROKEN) and "rate" not in {x.name for x in law.mentions}:
+    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions}:
         help = f'such as "{example}"'
         draft.error((*path, field), "mentions no 'rate', the rate of the damper", help)
 
@@ -100,7 +156,7 @@ class Damper(Part):
     points: Annotated[Ends, kind.TWO_ENDS]
     damping: Annotated[Number | None, _quantity("N.s/m", 1.0)] = None
     """None where `force` is given."""
-    force: Annotated[Number | None, _law_of_rate("N", "length")] = None
+    force: Annotated[Number | None, _law_of_rate("N", LENGTH)] = None
     """In the symbols ``rate`` (m/s, positive as it lengthens) and ``length`` (m)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
@@ -114,16 +170,32 @@ def _angle(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TorsionSpring(Part):
-    """A torsion spring at a joint that has an angle: stiffness * (angle - free_angle)."""
+    """A torsion spring at a joint that has an angle: linear, or with a torque of the angle."""
 
     type = "torsion_spring"
     offers = (_AGAINST, POWER)
 
     joint: Annotated[str, _JOINT]
-    stiffness: Annotated[Number, _quantity("N.m/rad", 10.0)]
+    stiffness: Annotated[Number | None, _quantity("N.m/rad", 10.0)] = None
+    """None where `torque` is given."""
+    torque: Annotated[
+        Number | None, kind.Quantity("N.m", "an expression in `angle`", place=_ANGLE)
+    ] = None
+    """Against the angle, an expression in ``angle`` (rad), that of the joint less free angle."""
     free_angle: Annotated[
         Number, kind.Quantity("rad", "as drawn unless given", place=FORCE, reading=_angle)
     ] = 0.0
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that it has a stiffness or a torque, and not both."""
+        if given.stiffness is None and given.torque is None:
+            help = "write stiffness = 10.0, or a torque of 'angle'"
+            reader.draft.error(path, "'stiffness' is missing", help)
+        elif given.stiffness is not None and given.torque is not None:
+            message = "a torsion spring has a stiffness or a torque, not both"
+            reader.draft.error((*path, "torque"), message, "leave out one of them")
+        what = "the angle of the joint less free_angle in rad"
+        _check_law(reader, (*path, "torque"), given.torque, ("angle",), what, "is turned on")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -136,7 +208,7 @@ class TorsionDamper(Part):
     joint: Annotated[str, _JOINT]
     damping: Annotated[Number | None, _quantity("N.m.s/rad", 1.0)] = None
     """None where `torque` is given."""
-    torque: Annotated[Number | None, _law_of_rate("N.m", "angle")] = None
+    torque: Annotated[Number | None, _law_of_rate("N.m", ANGLE)] = None
     """In the symbols ``rate`` (rad/s) and ``angle`` (rad)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
@@ -294,7 +366,7 @@ FORCES: dict[str, type[Part]] = {
     force.type: force
     for force in (
         *(Spring, Damper, TorsionSpring, TorsionDamper, Force, Torque, JointTorque, Potential),
-        Gravitation,
+        *(Gravitation, Actuator),
     )
 }
 """Types of forces."""

@@ -7,7 +7,7 @@ joints are zero as drawn; forces and torques are those on the second body.
 import math
 from collections.abc import Collection
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from solver.scene import fields as kind
 from solver.scene.couplings import (
@@ -30,7 +30,30 @@ from solver.scene.couplings import (
 )
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import Part
-from solver.scene.friction import ABOUT, ALONG, FRICTION, FRICTION_ALONG, JointFriction
+from solver.scene.friction import (
+    ABOUT,
+    ALONG,
+    FRICTION,
+    FRICTION_ALONG,
+    FRICTION_ON_A_JOURNAL,
+    JointFriction,
+)
+from solver.scene.joint_springs import (
+    DAMPING_ABOUT,
+    DAMPING_ALONG,
+    DAMPING_OF,
+    FIELD_OF,
+    FREE_ANGLE,
+    FREE_DISPLACEMENT,
+    OF,
+    SPRING_ABOUT,
+    SPRING_ALONG,
+    STIFFNESS_ABOUT,
+    STIFFNESS_ALONG,
+    STIFFNESS_OF,
+    check_springs,
+    given_fields,
+)
 from solver.scene.mistakes import Path
 from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, Offer, angular_acceleration
 from solver.scene.rules import NOT_ZERO
@@ -70,6 +93,8 @@ class BodyJoint(Part):
     """Whether it may join two points instead of two bodies."""
     rubs: ClassVar[tuple[Offer, ...]] = ()
     """What it offers if it has friction."""
+    springs: ClassVar[tuple[Offer, ...]] = ()
+    """What it offers if it has a spring and a damper."""
 
     bodies: Annotated[Pair | None, kind.TWO_BODIES]
     position: Annotated[Vector | None, _PLACE]
@@ -80,6 +105,17 @@ class BodyJoint(Part):
     on: Pair = (None, None)
     """Named points of the two bodies that `position` means, since it lies there: "rod.tip"."""
     friction: JointFriction | None = None
+    stiffness: Number | None = None
+    damping: Number | None = None
+    free_angle: Number | None = None
+    free_displacement: Number | None = None
+    of: str | None = None
+    """"angle" or "displacement" of a joint with both."""
+
+    @property
+    def springs_along(self) -> bool:
+        """Whether its spring and damper act along it, and not about its axis."""
+        return self.of == "displacement" or not self.has("angle")
 
     @classmethod
     def offered(cls, given: Collection[str]) -> tuple[Offer, ...]:
@@ -87,7 +123,8 @@ class BodyJoint(Part):
         joins_points = "points" in given and "bodies" not in given
         if joins_points and cls.takes_points:
             return (FORCE,)
-        return (*cls.offers, *(cls.rubs if "friction" in given else ()))
+        springs = (offer for offer in cls.springs if FIELD_OF[offer.word] in given)
+        return (*cls.offers, *(cls.rubs if "friction" in given else ()), *springs)
 
     @classmethod
     def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
@@ -109,6 +146,7 @@ class BodyJoint(Part):
                 reader.draft.error(path, message, help)
         if cls.meets and given.position is not None and given.bodies is not None:
             values["on"] = _named_points(reader, path, cls, values)
+        check_springs(reader, path, given, both=cls.has("angle") and cls.has("displacement"))
         joint = cls(**values)
         joint.check(reader, path, given)
         return joint
@@ -128,6 +166,9 @@ def _shared_point(
     if type == "revolute" and reader.dimension == 3:
         message = "a revolute joint in space joins bodies, not points"
         reader.draft.error((*path, "points"), message, f'{how}, or type = "spherical"')
+    for field in given_fields(given):
+        help = "give it 'bodies' and 'position' instead of 'points'"
+        reader.draft.error((*path, field), "a joint of points has no angle", help)
     if getattr(given, "friction", None) is not None:
         message = "a joint of points measures no slip"
         help = "give it 'bodies' and 'position' instead of 'points'"
@@ -190,6 +231,7 @@ class Revolute(SharedPoint):
 
     type = "revolute"
     offers = (*ANGLE, FORCE, TORQUE_IN_SPACE)
+    springs = SPRING_ABOUT
 
     axis: Annotated[
         Vector | None,
@@ -198,6 +240,9 @@ class Revolute(SharedPoint):
             reading=only_in_space("a revolute joint in the plane has no axis: it turns about z"),
         ),
     ] = None  # fmt: skip
+    stiffness: Annotated[Number | None, STIFFNESS_ABOUT] = None
+    damping: Annotated[Number | None, DAMPING_ABOUT] = None
+    free_angle: Annotated[Number | None, FREE_ANGLE] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that there is an axis in space."""
@@ -239,10 +284,16 @@ class Cylindrical(BodyJoint):
     type = "cylindrical"
     offers = (*ANGLE, *DISPLACEMENT, FORCE, TORQUE)
     rubs = ALONG
+    springs = SPRING_ABOUT
     only_in = (3, "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot")
 
     axis: Annotated[Vector | None, AXIS] = None
-    friction: Annotated[JointFriction | None, FRICTION] = None
+    friction: Annotated[JointFriction | None, FRICTION_ON_A_JOURNAL] = None
+    stiffness: Annotated[Number | None, STIFFNESS_OF] = None
+    damping: Annotated[Number | None, DAMPING_OF] = None
+    of: Annotated[Literal["angle", "displacement"] | None, OF] = None
+    free_angle: Annotated[Number | None, FREE_ANGLE] = None
+    free_displacement: Annotated[Number | None, FREE_DISPLACEMENT] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -252,10 +303,14 @@ class Prismatic(BodyJoint):
     type = "prismatic"
     offers = (*DISPLACEMENT, FORCE, TORQUE)
     rubs = ALONG
+    springs = SPRING_ALONG
 
     position: Annotated[Vector | None, _PLACE_OR_ORIGIN] = None
     axis: Annotated[Vector | None, AXIS] = None
     friction: Annotated[JointFriction | None, FRICTION_ALONG] = None
+    stiffness: Annotated[Number | None, STIFFNESS_ALONG] = None
+    damping: Annotated[Number | None, DAMPING_ALONG] = None
+    free_displacement: Annotated[Number | None, FREE_DISPLACEMENT] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -286,11 +341,17 @@ class Screw(BodyJoint):
 
     type = "screw"
     offers = (*ANGLE, *DISPLACEMENT, FORCE, TORQUE)
+    springs = SPRING_ABOUT
     only_in = (3, "in the plane write 'rack'")
 
     axis: Annotated[Vector | None, AXIS] = None
-    pitch: Annotated[Number, kind.Quantity("m per turn", rule=NOT_ZERO, example=0.005)]
+    pitch: Annotated[Number, kind.Quantity("m", "per turn", rule=NOT_ZERO, example=0.005)]
     """Advance of the second body."""
+    stiffness: Annotated[Number | None, STIFFNESS_OF] = None
+    damping: Annotated[Number | None, DAMPING_OF] = None
+    of: Annotated[Literal["angle", "displacement"] | None, OF] = None
+    free_angle: Annotated[Number | None, FREE_ANGLE] = None
+    free_displacement: Annotated[Number | None, FREE_DISPLACEMENT] = None
 
 
 JOINTS: dict[str, type[Part]] = {

@@ -1,7 +1,8 @@
 """Profiles: functions through given points, which expressions call by their names.
 
-A profile is a cubic in each piece between its points, and straight beyond its ends. With h, d, m
-and M the length, mean slope, slope and curvature of its pieces and knots, it is
+A profile is a cubic in each piece between its points, and straight beyond its ends, where it may
+also hold the values of its ends. With h, d, m and M the length, mean slope, slope and curvature of
+its pieces and knots, it is
 
     cubic      h_k-1 M_k-1 + 2 (h_k-1 + h_k) M_k + h_k M_k+1 = 6 (d_k - d_k-1): the spline, where M
                is 0 at both ends, so that curvature does not jump there either, or repeats
@@ -24,15 +25,20 @@ from solver.scene.expression import FUNCTIONS, Curve
 from solver.scene.fields import BROKEN, Part, shown
 from solver.scene.files import number, rows_of_table
 from solver.scene.mistakes import Path
+from solver.scene.units import misfit
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft
 
-_NUMBERS, _SWITCH = kind.ListOf(item=kind.Quantity(), example=[0, 0.5, 1]), kind.Plain(type=bool)
+_NUMBERS, _SWITCH = kind.ListOf(item=kind.OfAnyUnit(), example=[0, 0.5, 1]), kind.Plain(type=bool)
 _WORDS = ("cubic", "monotone", "linear")
 _BETWEEN = kind.Choice(
     text="between the points: cubic spline, cubic that does not overshoot, or straight lines",
     words=_WORDS,
+)
+_BEYOND = kind.Choice(
+    text="beyond the first and last point: on in a straight line, or hold the value there",
+    words=("straight", "hold"),
 )
 _OVERSHOOT = 0.1
 """Part of the range of its points by which a profile leaves it before that is told."""
@@ -52,6 +58,7 @@ class Profile(Part):
     x: Annotated[tuple[float, ...], _NUMBERS] = ()
     y: Annotated[tuple[float, ...], _NUMBERS] = ()
     interpolation: Annotated[Literal["cubic", "monotone", "linear"], _BETWEEN] = "cubic"
+    extrapolate: Annotated[Literal["straight", "hold"], _BEYOND] = "straight"
     periodic: Annotated[bool, _SWITCH] = False
     """Whether it repeats; its period is the distance of its ends."""
     integrate: Annotated[bool, _SWITCH] = False
@@ -61,14 +68,22 @@ class Profile(Part):
 
     @property
     def has_corners(self) -> bool:
-        """Whether its slope jumps at its points."""
-        return self.interpolation == "linear" and not self.integrate
+        """Whether its slope jumps at its points, or at its ends."""
+        return not self.integrate and (self.interpolation == "linear" or self.extrapolate == "hold")
+
+    @property
+    def without_corners(self) -> str:
+        """What to write so that it has none."""
+        is_linear = self.interpolation == "linear"
+        return 'interpolation = "monotone"' if is_linear else 'extrapolate = "straight"'
 
     @property
     def text(self) -> str:
         """The profile as it stands in a scene file that has its points."""
         switches = f"periodic = {shown(self.periodic)}, integrate = {shown(self.integrate)}"
         between = f"interpolation = {shown(self.interpolation)}"
+        if not self.periodic:
+            between += f", extrapolate = {shown(self.extrapolate)}"
         return f"{{ x = {shown(list(self.x))}, y = {shown(list(self.y))}, {between}, {switches} }}"
 
 
@@ -94,10 +109,16 @@ def read_profiles(draft: "Draft") -> dict[str, Profile]:
         periodic, integrate = given.periodic is True, given.integrate is True
         if whole and len(draft.problems) == before:
             _check(draft, path, points, periodic=periodic, integrate=integrate)
+            if periodic and given.extrapolate is not None:
+                message = "a periodic profile has no ends to go on from"
+                draft.error((*path, "extrapolate"), message, "leave it out")
         if whole and len(draft.problems) == before:
             x, y, *_ = zip(*points, strict=True)
-            word = given.interpolation or "cubic"
-            numbers = table_of(x, y, interpolation=word, periodic=periodic, integrate=integrate)
+            word, beyond = given.interpolation or "cubic", given.extrapolate or "straight"
+            numbers = table_of(
+                x, y, interpolation=word, periodic=periodic, integrate=integrate,
+                extrapolate=beyond,
+            )  # fmt: skip
             curve = draft.curves[name] = Curve(name, numbers)
             if not all(map(math.isfinite, numbers)):
                 draft.error(path, "no spline has these points: their numbers differ too much")
@@ -105,7 +126,7 @@ def read_profiles(draft: "Draft") -> dict[str, Profile]:
                 _advise(draft, path, x, y, periodic=periodic)
             found[name] = Profile(
                 file=given.file or "", x=x, y=y, interpolation=word, curve=curve,
-                periodic=periodic, integrate=integrate,
+                extrapolate=beyond, periodic=periodic, integrate=integrate,
             )  # fmt: skip
     return found
 
@@ -117,7 +138,7 @@ def check_smooth(
     for name in names:
         if name in profiles and profiles[name].has_corners:
             message = f"the profile '{name}' has corners, at which the curve has no normal"
-            draft.error(path, message, f'write interpolation = "monotone" in profiles.{name}')
+            draft.error(path, message, f"write {profiles[name].without_corners} in profiles.{name}")
 
 
 def _points(draft: "Draft", path: Path, given: Any) -> Iterator[_Point]:
@@ -125,6 +146,8 @@ def _points(draft: "Draft", path: Path, given: Any) -> Iterator[_Point]:
     file, x, y = given.file, given.x, given.y
     if BROKEN in (file, x, y):
         return
+    for word, numbers in (("x", x or ()), ("y", y or ())):
+        _have_one_unit(draft, (*path, word), numbers)
     if file is not None and x is None and y is None:
         yield from _points_of_file(draft, (*path, "file"), file)
     elif file is not None or x is None or y is None:
@@ -140,6 +163,15 @@ def _points(draft: "Draft", path: Path, given: Any) -> Iterator[_Point]:
                     message = f"must be a plain number, got '{reading.text}'"
                     draft.error((*path, word, i), message)
             yield _Point(point[0].number, point[1].number, (*path, "x", i))
+
+
+def _have_one_unit(draft: "Draft", path: Path, numbers: Sequence[Any]) -> None:
+    """Report a literal of another quantity than the first one of its list."""
+    first = next((x for x in numbers if x.unit), None)
+    for i, x in enumerate(numbers):
+        if first and x.unit and misfit(x.unit, first.unit):
+            message = f"is {x.text}, and '{first.text}' in the same list measures something else"
+            draft.error((*path, i), message, "write both in one unit")
 
 
 def _points_of_file(draft: "Draft", path: Path, file: str) -> Iterator[_Point]:
@@ -234,6 +266,7 @@ def table_of(
     slopes: Sequence[float] = (),
     periodic: bool = False,
     integrate: bool = False,
+    extrapolate: str = "straight",
 ) -> tuple[float, ...]:
     """Return the table of the curve through points, in the form of ``solver/kernel/tape/spline.c``.
 
@@ -243,6 +276,8 @@ def table_of(
     table, area = [x[-1] - x[0] if periodic else 0.0], 0.0
     places, values = (x[0], *x), (y[0], *y)
     pieces = _between(h, y, slopes) if slopes else _pieces(x, y, interpolation, periodic=periodic)
+    if extrapolate == "hold":
+        pieces = [(0.0, 0.0, 0.0), *pieces[1:-1], (0.0, 0.0, 0.0)]
     for at, value, piece, step in zip(places, values, pieces, (0.0, *h, 0.0), strict=True):
         c = [value, *piece]
         if integrate:

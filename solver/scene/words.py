@@ -24,6 +24,7 @@ _WORDS = {
         contacts: collisions impacts obstacles
         parameters: variables constants params
         inputs: signals
+        expressions: formulas definitions terms
         profiles: tables curves splines characteristics lookups
         sensors: instruments probes
         outputs: results measurements measures
@@ -121,8 +122,8 @@ _WORDS = {
 }
 _NOT_A_WORD = {
     ("motor", "motors", "servo"): (
-        'a motor is a motion in [drivers], such as type = "angle" with value = "2*t", or a load in '
-        '[forces], type = "joint_torque"'
+        'a motor is a motion in [drivers], such as type = "angle" with value = "2*t", or one with '
+        'limits in [forces], type = "actuator"'
     ),
     ("friction",): (
         "friction is a field of contacts, friction = 0.3, and of revolute, prismatic, spherical "

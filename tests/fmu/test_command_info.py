@@ -258,6 +258,7 @@ OF_TYPES = {
     "force": 'point = "P", value = [0, 0]',
     "potential": 'value = "P.x**2"',
     "gravitation": 'points = ["P", "arm"], constant = 1.0',
+    "actuator": 'joint = "pin", value = 0.0',
 }
 
 
@@ -275,6 +276,19 @@ def test_a_force_is_counted_as_what_it_is(capsys, tmp_path, word):
     for kind, types in FORCES.items():
         assert table[kind] == ("1  one" if word in types else "0")
     assert info(capsys, scene)["forces"] == {word: ["one"]}
+
+
+def test_springs_and_dampers_of_joints_are_counted_with_those_of_forces(capsys, tmp_path):
+    scene = tmp_path / "forced.toml"
+    text = FORCED.replace("position = [0, 0] }\n[forces]", "position = [0, 0], {} }}\n[forces]")
+    scene.write_text(text.replace("{} }}", "stiffness = 1, damping = 2 }"))
+    table = lines(capsys, scene)
+    assert table["springs"] == "1  pin.spring"
+    assert table["dampers"] == "1  pin.damper"
+    assert info(capsys, scene)["forces"] == {
+        "torsion_spring": ["pin.spring"],
+        "torsion_damper": ["pin.damper"],
+    }
 
 
 def test_the_mechanism_comes_first_and_the_solver_last(capsys):

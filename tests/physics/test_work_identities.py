@@ -39,6 +39,17 @@ STORING: dict[str, tuple[str, Callable[[HalfSteps], Array]]] = {
         'type = "torsion_spring", joint = "joint", stiffness = 3, free_angle = 0.2',
         lambda run: 1.5 * (run["joint.angle"] - 0.2) ** 2,
     ),
+    "spring by a curve": (
+        'type = "spring", points = ["A.tip", "B.tip"], free_length = 0.3, '
+        'force = "40*elongation + 20*elongation*abs(elongation)"',
+        lambda run: (
+            20 * (run["law.length"] - 0.3) ** 2 + 20 / 3 * np.abs(run["law.length"] - 0.3) ** 3
+        ),
+    ),
+    "torsion spring by a curve": (
+        'type = "torsion_spring", joint = "joint", torque = "3*sin(2*angle)", free_angle = 0.2',
+        lambda run: 1.5 - 1.5 * np.cos(2 * (run["joint.angle"] - 0.2)),
+    ),
     "potential": (
         'type = "potential", value = "30*distance(A.tip, B.tip)**4 + cos(joint.angle)"',
         lambda run: 30 * run["reach"] ** 4 + np.cos(run["joint.angle"]),

@@ -14,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
+import holonom
 import solver
 from solver.mechanics.derivative import derivative
 from solver.scene import SceneError
@@ -243,6 +244,69 @@ def test_the_integral_of_a_profile_begins_at_its_first_point():
     for x in (-1.0, 1.0, 1.5, 4.0, 6.0):
         assert apply("spline", x, table) == pytest.approx(3.0 * (x - 1.0), rel=1e-15)
     assert apply("spline", math.nextafter(1.0, 0.0), table) == pytest.approx(0.0, abs=1e-15)
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize("word", WORDS)
+def test_a_profile_may_hold_the_values_of_its_ends(word, integrate):
+    x, y = [1.0, 2.0, 4.0], [3.0, -1.0, 5.0]
+    inside = Curve("f", table_of(x, y, interpolation=word, integrate=integrate))
+    numbers = table_of(x, y, interpolation=word, integrate=integrate, extrapolate="hold")
+    held = Curve("f", numbers)
+    for at in (1.0, 1.3, 2.0, 3.9, 4.0):
+        assert apply("spline", at, held) == apply("spline", at, inside)
+    for at, end, value in ((-1.0, 1.0, 3.0), (0.5, 1.0, 3.0), (4.5, 4.0, 5.0), (9.0, 4.0, 5.0)):
+        beyond = apply("spline", end, held) + value * (at - end) if integrate else value
+        assert apply("spline", at, held) == pytest.approx(beyond, rel=1e-15)
+
+
+def test_a_force_by_a_held_profile_has_steps_end_at_its_ends():
+    # m = 1 under f(t) = t up to 1 s, then 1: v(2) = 1/2 + 1, x(2) = 1/6 + 1/2 + 1/2.
+    text = """
+name = "held"
+dimension = 2
+gravity = [0, 0]
+[profiles]
+ramp = { x = [0, 1], y = [0, 1], interpolation = "linear", extrapolate = "hold" }
+[points]
+A = { position = [0, 0], mass = 1 }
+[forces]
+push = { type = "force", point = "A", value = ["ramp(t)", 0] }
+[solver]
+step_size = 0.3
+order = 4
+"""
+    run = holonom.simulate(solver.loads(text), stop_time=2.0)
+    assert run["A.vx"][-1] == pytest.approx(1.5, abs=1e-14)
+    assert run["A.x"][-1] == pytest.approx(7 / 6, abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        ('extrapolate = "hold", periodic = true', "a periodic profile has no ends to go on from"),
+        ('extrapolate = "constant"', "unknown extrapolate 'constant'"),
+    ],
+)
+def test_ends_of_a_profile_that_are_wrong_are_told(tmp_path, more, message):
+    with pytest.raises(SceneError, match=message):
+        model_of(tmp_path, f"{{ x = [0, 0.5, 1], y = [0, 1, 0], {more} }}")
+
+
+def test_a_held_profile_has_no_normal_at_its_ends():
+    text = """
+name = "road"
+dimension = 2
+[profiles]
+road = { x = [0, 1, 2], y = [0, 0.1, 0.3], extrapolate = "hold" }
+[points]
+A = { position = [0, 1], mass = 1 }
+[contacts]
+street = { type = "profile", point = "A", profile = "road" }
+"""
+    with pytest.raises(SceneError, match="has corners") as caught:
+        solver.loads(text)
+    assert 'write extrapolate = "straight" in profiles.road' in str(caught.value)
 
 
 # --------------------------------------------------------------------------- words and warnings

@@ -66,11 +66,12 @@ static void set_laws(context *c, double t, int booked)
     if (booked && m->variable_potential) book(c, S_WORK, stored_by_chosen(c) - before);
 }
 
-/* Looks at switches at a state within a step, on the path of the step. */
+/* Looks at switches at a state within a step, on the path of the step. A spring of the time has
+   another energy here than in the half step before, which counts as work like any jump of it. */
 HM_SELDOM static void watch_kinks(context *c)
 {
     sense(c, 0.0, 0);
-    set_laws(c, c->t, 0);
+    set_laws(c, c->t, 1);
 }
 
 /* Signals at time t (n_signals, overwritten). */
