@@ -279,7 +279,7 @@ class Torque(Part):
     value: Annotated[
         Number | Vector,
         kind.ByShape(
-            text="N.m: a number in 2-D, a vector in 3-D", example=1.0, number=kind.NUMBER,
+            "N.m", "a number in 2-D, a vector in 3-D", example=1.0, number=kind.NUMBER,
             vector=kind.COMPONENTS, reading=_moment,
         ),
     ]  # fmt: skip

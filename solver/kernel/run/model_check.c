@@ -246,6 +246,11 @@ static int has_tape(const checker *c)
         if (!within(at, 2, 0, c->m->n_numbers) || !within(at + 2, 1, SWITCH_SIGN, SWITCH_LEVEL + 1)
             || !within(at + 3, 1, 1, 3) || !within(at + 4, 1, 0, 2))
             return 0;
+    for (const int32_t *at = c->m->held_table; at < c->m->held_table + 2 * (int64_t)c->m->n_held;
+         at += 2)
+        if (!within(at, 1, 0, c->m->n_numbers)
+            || !within(at + 1, 1, 0, c->m->n_switches - c->m->n_kinks))
+            return 0;
     return within(c->m->mass_node, 2 * (int64_t)c->m->n_mass_free, 0, c->m->n_free);
 }
 
