@@ -142,7 +142,7 @@ def _check_damper(reader: "Reader", path: Path, given: Any, field: str, example:
     elif given.damping is not None and law is not None:
         message = f"a damper has a damping or a {field}, not both"
         draft.error((*path, field), message, "leave out one of them")
-    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions}:
+    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions} | law.named:
         help = f'such as "{example}"'
         draft.error((*path, field), "mentions no 'rate', the rate of the damper", help)
 
