@@ -208,9 +208,10 @@ def test_a_misspelt_field_is_one_mistake_and_not_also_a_missing_one(table, word)
         assert not any(f"'{name}'" in report.message for report in found)
 
 
-def test_a_torque_at_a_joint_is_a_joint_torque():
+def test_a_torque_at_a_joint_is_a_joint_torque_or_an_actuator():
     found = problem_of("forces", {"type": "torque", "joint": "bearing", "value": 1.0})
-    assert (found.location, found.help) == ("forces.new.joint", 'write type = "joint_torque"')
+    help = "types of forces with these fields: joint_torque, actuator"
+    assert (found.location, found.help) == ("forces.new.joint", help)
 
 
 @pytest.mark.parametrize(("table", "word"), PARTS)
