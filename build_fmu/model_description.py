@@ -47,6 +47,8 @@ EXPERIMENT = {
 }
 DRAWING = "resources/drawing.json"
 """Path in the archive of the drawing of the mechanism, which an annotation names."""
+DISPLAY_UNITS = {"m": ("mm",), "rad": ("deg",), "rad/s": ("rpm",), "Pa": ("bar",)}
+"""Units that importers may show values in, besides those that a scene names."""
 UNKNOWNS = {"Outputs": ("output",), "InitialUnknowns": ("output", "calculatedParameter")}
 
 
@@ -136,12 +138,16 @@ def common_parts(
         type_of(x, {"quantity": x.rpartition(".")[2], "unit": unit, "nominal": known.get(unit)})
         for unit, x in types.items()
     )
+    shown: dict[str, set[str]] = {}
+    for variable in model.variables:
+        if variable.display_unit:
+            shown.setdefault(variable.unit, set()).add(variable.display_unit)
     # Importers may read what is no port.
     ports = [
         v._replace(causality="local") if i in local else v for i, v in enumerate(model.variables)
     ]
     parts = [
-        element("UnitDefinitions", *map(_unit, types)),
+        element("UnitDefinitions", *(_unit(name, shown.get(name, ())) for name in types)),
         element("TypeDefinitions", *declared),
         element("LogCategories", *categories),
         element("DefaultExperiment", **experiment),
@@ -149,11 +155,18 @@ def common_parts(
     return types, ports, parts
 
 
-def _unit(name: str) -> Element:
-    """Return the element of a unit, with its base units where they are known."""
+def _unit(name: str, shown: Collection[str]) -> Element:
+    """Return the element of a unit, with base units and those that show it, where it is known."""
     base = base_unit(name)
-    bases = [] if base is None else [element("BaseUnit", **base_unit_attributes(base))]
-    return element("Unit", *bases, name=name)
+    if base is None:
+        return element("Unit", name=name)
+    others = [*DISPLAY_UNITS.get(name, ()), *sorted({*shown} - {*DISPLAY_UNITS.get(name, ())})]
+    known = {other: found for other in others if (found := base_unit(other))}
+    displays = (
+        element("DisplayUnit", name=other, factor=base.factor / found.factor)
+        for other, found in known.items()
+    )
+    return element("Unit", element("BaseUnit", **base_unit_attributes(base)), *displays, name=name)
 
 
 def _type(name: str, given: Mapping[str, object]) -> Element:
@@ -210,7 +223,8 @@ def attributes_of_value(
     text = ""
     if variable.type == "Real":
         limits = (None, None) if variable.clips else (variable.minimum, variable.maximum)
-        text = _type_and_limits(types.get(variable.unit or ""), variable.unit, *limits)
+        shown = variable.display_unit or None
+        text = _type_and_limits(types.get(variable.unit or ""), variable.unit, shown, *limits)
     if with_start and is_settable(variable.causality):
         text += written({"start": variable.start})
     return text
@@ -218,10 +232,11 @@ def attributes_of_value(
 
 @lru_cache(1024)
 def _type_and_limits(
-    type_name: str | None, unit: str | None, minimum: float | None, maximum: float | None
-) -> str:
+    type_name: str | None, unit: str | None, shown: str | None,
+    minimum: float | None, maximum: float | None,
+) -> str:  # fmt: skip
     # Importers refuse what is beyond.
-    typed = {"declaredType": type_name, "unit": unit} if unit else {}
+    typed = {"declaredType": type_name, "unit": unit, "displayUnit": shown} if unit else {}
     return written({**typed, "min": minimum, "max": maximum})
 
 

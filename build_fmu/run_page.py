@@ -96,7 +96,7 @@ class Carried:
     def scene_outputs(self) -> list[str]:
         """Names of the scene's own outputs; none if it has no scene."""
         try:
-            return [*self.scene.outputs]
+            return self.scene.results()
         except UsageError:
             return []
 

@@ -49,8 +49,16 @@ WORDS = {"angle": "rad", "displacement": "m"}
 """What of a joint counts from the drawing, and its unit."""
 LINEAR, SPINS = ("vx", "vy", "vz"), ("wx", "wy", "wz", "angular_velocity")
 """Words of velocities and of angular velocities."""
-TABLES_WITH_PLACES = ("joints", "forces", "drivers", "contacts")
-TABLES_WITH_FORMULAS = ("constraints", "contacts", "forces", "drivers", "outputs", "joints")
+TABLES_WITH_PLACES = ("joints", "forces", "drivers", "contacts", "sensors")
+TABLES_WITH_FORMULAS = (
+    "expressions",
+    "constraints",
+    "contacts",
+    "forces",
+    "drivers",
+    "outputs",
+    "joints",
+)
 _TOKEN = re.compile(rf"#[^\n]*|{STRING.pattern}", re.DOTALL)
 
 
@@ -162,7 +170,8 @@ class Edit:
 
     def _add_places(self, table: str, name: str, part: Any) -> None:
         """Carry places and directions of a part with the bodies that they are fixed to."""
-        ends = (*(getattr(part, "points", None) or ()), getattr(part, "point", None))
+        carriers = (getattr(part, field, None) for field in ("point", "body"))
+        ends = (*(getattr(part, "points", None) or ()), *carriers)
         self._carry_ends(
             (table, name, "at"),
             [x for x in ends if isinstance(x, PointReference) and x.at is not None],

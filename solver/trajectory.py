@@ -189,7 +189,8 @@ def simulate(
         `step_size`. At a jump between communication points a step ends, too. The trajectory has
         arrays and functions as given, also where ``limit = "clip"`` changes what acts.
     outputs : sequence of str, optional
-        Variables to collect; all inputs and outputs where left out.
+        Variables to collect; all inputs and outputs where left out. Accelerations, and powers of
+        forces, are measured only where they are named here or in the scene.
     record_mesh : bool, optional
         Whether the trajectory has its internal steps as `mesh`.
     mesh : Mesh, optional
@@ -217,7 +218,9 @@ def simulate(
     RuntimeWarning
         Where dampers keep all steps at order 2, or a smooth input gets straight lines.
     """
-    model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
+    model = mechanism
+    if not isinstance(model, Model):
+        model = assemble(_scene(mechanism), outputs or ())
     integrator = Integrator(model)
     by_paper = bool({*PAPER} & options.keys())
     _check_mesh(options, record_mesh, mesh)

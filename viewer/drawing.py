@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from solver.scene import (
+    Actuator,
     Bar,
     BodyJoint,
     ClearanceContact,
@@ -208,6 +209,8 @@ class _Drawing:
             if type(force) in kinds:
                 assert isinstance(force, Spring | Damper)
                 self._link(kinds[type(force)], name, force.points, force=[f"{name}.force"])
+            elif isinstance(force, Actuator) and force.points is not None:
+                self._link("actuator", name, force.points, force=[f"{name}.force"])
             elif isinstance(force, Force):
                 self._end(force.point)
 

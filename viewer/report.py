@@ -140,7 +140,7 @@ def report_of_trajectory(path: str | PathLike[str], trajectory: Trajectory) -> P
     )
     return write_report(
         path, [run], name=model.name, description=model.description,
-        variables=model.variables, outputs=[*scene.outputs], warnings=scene.sentences(),
+        variables=model.variables, outputs=scene.results(), warnings=scene.sentences(),
     )  # fmt: skip
 
 

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 FORCES = {
     "springs": ("spring", "torsion_spring"),
     "dampers": ("damper", "torsion_damper"),
+    "actuators": ("actuator",),
     "torques": ("joint_torque", "torque"),
     "forces": ("force",),
     "potentials": ("potential", "gravitation"),
@@ -33,7 +34,8 @@ FORCES = {
 """Rows of the table, and the types of forces in each."""
 VARIABLE_FIELDS = {
     **{x: x for x in ("name", "type", "unit", "causality", "variability", "start")},
-    **{"minimum": "min", "maximum": "max", "description": "description"},
+    **{"display_unit": "display_unit", "minimum": "min", "maximum": "max"},
+    "description": "description",
 }
 """What --json has of a variable, and what it is called there."""
 CAUSES = (*LOSSES.values(),)

@@ -3,6 +3,7 @@
     1:5:9         9 values from 1 to 5, both included
     1e-3:10:5:log the same, each a fixed multiple of the one before
     2,3,5:6:11    single values, and ranges among them
+    100mm:500mm:5 ends of a range may have a unit, the same one
 
 Grids multiply, the last one turning fastest; a table has one row for each line. A grid has no value
 twice; rows of a table may be alike.
@@ -147,9 +148,16 @@ def _values_of(item: str) -> list[object]:
     is_log = len(parts) == 4 and parts[3].strip() == "log"
     if len(parts) != 3 and not is_log:
         raise _WrongItemError(0, f"{item!r} is not a range from:to:count")
+    from solver.scene.units import parted  # --help needs nothing of the solver
+
     numbers: list[float] = []
+    ends = [parted(part) for part in parts[:2]]
+    units = {unit for _, unit in ends}
+    if len(units) > 1:
+        text = f"from and to of a range must have one unit, got {parts[0]!r} and {parts[1]!r}"
+        raise _WrongItemError(0, text)
     at = 0
-    for part in parts[:3]:
+    for part in (*(number for number, _ in ends), parts[2]):
         value = part if part.strip().startswith(("[", "{")) else _read(part, at)
         if not is_finite(value):
             raise _WrongItemError(at, f"{shown(part)} is not {wanted_instead(value)}")
@@ -165,7 +173,9 @@ def _values_of(item: str) -> list[object]:
         wrong = f"from and to of a range with log must have one sign, got {first!r} and {last!r}"
     if wrong:
         raise _WrongItemError(0, wrong)
-    return (_log_spaced if is_log else _evenly_spaced)(first, last, int(count))
+    values = (_log_spaced if is_log else _evenly_spaced)(first, last, int(count))
+    unit = units.pop()
+    return [f"{value!r} {unit}" for value in values] if unit else values
 
 
 def _read(text: str, at: int) -> object:

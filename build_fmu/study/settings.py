@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -24,7 +24,7 @@ from build_fmu.study.values import (
 )
 from build_fmu.version import VERSION
 from solver.options import OPTIONS, removed
-from solver.scene.units import base_unit, offset_of
+from solver.scene.units import base_unit, literal, offset_of, si_unit, unit_help
 from solver.scene.words import listed
 
 if TYPE_CHECKING:
@@ -228,14 +228,20 @@ def fmu_settings(
 def _checked(entry: Entry, variable: ScalarVariable, tool: str | None) -> object:
     """Value in the unit and of the type of its variable, within its limits."""
     unit = getattr(variable, "unit", None) or ""
+    found = (
+        literal(entry.value) if variable.type == "Real" and isinstance(entry.value, str) else None
+    )
+    if found and not entry.unit:
+        entry = replace(entry, value=found.value, unit=si_unit(found.unit))
     value = converted(entry, variable.name, unit)
     fits, words = _KINDS.get(variable.type, _KINDS["Integer"])  # an Enumeration is one
     in_unit = f" {unit}" if unit else ""
     if not fits(value):
         words = wanted_instead(value) if variable.type == "Real" else words
         words = f"{words} in{in_unit}" if unit else words
-        with_unit = isinstance(value, str) and re.fullmatch(r"[-+]?[\d.]+ ?[^\W\d].*", value)
-        help = "a unit is not written here" if with_unit and variable.type != "Boolean" else ""
+        help = (
+            (unit_help(value) or "") if isinstance(value, str) and variable.type == "Real" else ""
+        )
         raise WrongValueError(variable.name, f"must be {words}, got {shown(value)}", help)
     is_ours = tool == f"{OURS}{VERSION}" and variable.name.startswith("solver.")
     option = OPTIONS[variable.name.removeprefix("solver.")] if is_ours else None

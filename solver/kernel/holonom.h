@@ -125,8 +125,8 @@ HOLONOM_API int32_t holonom_set_inputs(const holonom_model *model, double *numbe
                                        double *work, const double *inputs, const double *parameters,
                                        double *gap);
 
-/* Groups of measurements. Contacts read the forces, outputs by formula (the fourth tape) all
-   others. */
+/* Groups of measurements. Contacts read the forces, accelerations are solved for with them; outputs
+   by formula (the fourth tape) read all others. */
 enum {
     HOLONOM_MEASURE_MOTION = 1,
     HOLONOM_MEASURE_FORCES = 2,
@@ -135,6 +135,7 @@ enum {
     HOLONOM_MEASURE_MOMENTA = 16,
     HOLONOM_MEASURE_SOLVER = 32,
     HOLONOM_MEASURE_CONTACTS = 64 + HOLONOM_MEASURE_FORCES,
+    HOLONOM_MEASURE_ACCELERATIONS = 128 + HOLONOM_MEASURE_FORCES,
     HOLONOM_MEASURE_ALL = 255
 };
 
@@ -142,10 +143,10 @@ enum {
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state,
                                  double *work, int32_t groups);
 
-enum { HOLONOM_GROUPS = 8 };
+enum { HOLONOM_GROUPS = 9 };
 
 /* Where outputs end among the numbers, by what finds them: motion, forces, bodies, forces,
-   energies, momenta, solver, contacts. */
+   energies, momenta, solver, contacts, accelerations. */
 void holonom_group_ends(const holonom_model *model, double *numbers, int32_t *end);
 
 /* Whether the rate of an output is known, and it, or 0: that of a position, an angle or a length is

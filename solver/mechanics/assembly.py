@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from solver.mechanics.build_mechanism import build_mechanism
 from solver.mechanics.dependencies import dependencies
@@ -29,7 +29,15 @@ from solver.runtime.layout import (
     measured_size,
 )
 from solver.runtime.model import Rule
-from solver.scene import BodyJoint, Expr, ExpressionError, Number, Scene, SceneWarning
+from solver.scene import (
+    BodyJoint,
+    Expr,
+    ExpressionError,
+    Number,
+    Scene,
+    SceneWarning,
+    symbols,
+)
 from solver.scene.joint_springs import FIELD_OF
 from solver.scene.reader import collector_paused
 
@@ -43,8 +51,15 @@ others compositions there is room for those of one. An order that is set after t
 with fewer slots, and takes up to a third longer."""
 
 
-def assemble(scene: Scene) -> Model:
+def assemble(scene: Scene, asked: Iterable[str] = ()) -> Model:
     """Return the model of a scene.
+
+    Parameters
+    ----------
+    scene : Scene
+    asked : iterable of str, optional
+        Names of quantities that are variables on demand, such as accelerations; those that the
+        scene names are there as well.
 
     Raises
     ------
@@ -52,14 +67,14 @@ def assemble(scene: Scene) -> Model:
         When the mechanism of the scene cannot be assembled with its own numbers: every broken rule,
         with its line. A scene made by hand can also have a setting that is out of range.
     """
-    return assemble_parts(scene)[1]
+    return assemble_parts(scene, asked)[1]
 
 
 @collector_paused()
-def assemble_parts(scene: Scene) -> tuple[Parts, Model]:
+def assemble_parts(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Model]:
     """Return the parts of a scene and its model; raises as `assemble`."""
     try:
-        parts, model = unchecked_model(scene)
+        parts, model = unchecked_model(scene, asked)
     except ExpressionError as error:
         text = f"a number of the mechanism has no finite value: {error.message}"
         scene.fail([scene.error("", f"{text}; look for a very large or small one")])
@@ -91,10 +106,10 @@ def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:
     scene.fail(problems)
 
 
-def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
+def unchecked_model(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Model]:
     """Return the parts of a scene and its model, whose numbers are not yet checked."""
     parts = build_mechanism(scene)
-    sensors = Sensors(parts)
+    sensors = Sensors(parts, _named_by(scene).union(asked))
     table = list(named(sensors))
     structure = Structure(parts.mechanism)
     known = Symbols(scene, sensors, table, structure)
@@ -150,6 +165,13 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     model.dependencies = dependencies(scene, structure, known, variables)
     model.scene = scene
     return parts, model
+
+
+def _named_by(scene: Scene) -> frozenset[str]:
+    """Names in formulas of outputs, of ports of the FMU, and of plots."""
+    mentioned = (name for output in scene.outputs.values() for name in symbols(output.value))
+    shown = chain(*scene.view.plots, scene.fmu.outputs or ())
+    return frozenset(chain(mentioned, shown))
 
 
 def _types_of_forces(scene: Scene) -> dict[str, str]:

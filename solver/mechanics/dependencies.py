@@ -3,10 +3,11 @@
 At a communication point the motion is a state. Under a tolerance and without contacts reactions are
 those of the state, and follow at once all inputs that push its island; else multipliers, and with
 them reactions, are those of the step that led there, and an input acts on them by the next step
-alone. What always follows it at once are formulas that read it: those of outputs, of springs and
-other forces, of the energy that springs store, and of prescribed rates; and this only of an input
-that is held, as the others begin a step with the value that they had. At the start, a mechanism can
-be closed or brought to rest with everything that its island contains, so that all of that counts.
+alone. Accelerations are always those of the state. What always follows it at once are formulas
+that read it: those of outputs, of springs and other forces, of the energy that springs store, and
+of prescribed rates; and this only of an input that is held, as the others begin a step with the
+value that they had. At the start, a mechanism can be closed or brought to rest with everything that
+its island contains, so that all of that counts.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 from solver.mechanics.derivative import derivative
+from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.mechanism import FIXED
 from solver.mechanics.sensors import Ref
 from solver.mechanics.structure import Structure
@@ -42,6 +44,11 @@ OF_A_STEP = ("solver", "contact_solver")
 """Measurements that tell of the last step alone."""
 OF_THE_FORCES = ("rod_force", "multiplier", "driven_force", "reaction_force", "reaction_torque")
 """Measurements of forces that rows and drivers take."""
+ACCELERATIONS = (
+    *("acceleration", "place_acceleration"),
+    *("quantity_acceleration", "body_acceleration"),
+)
+"""Measurements of what forces bring about, at every order."""
 STORED = tuple(Ref("energy", place_in_whole("energy", x)) for x in ("potential", "total", "work"))
 """Energies that jump with what springs store: the jump is work."""
 ROW_RATE = Ref("residual", place_in_whole("constraint", "velocity"))
@@ -88,10 +95,10 @@ def _measured(sources: Sources) -> list[Ref]:
     return [x for x in sources if isinstance(x, Ref)]
 
 
-def _rate(signal: Number) -> Number:
+def _rate(signal: Number, by: str = "t") -> Number:
     """Return the rate of a signal; the signal where it has none, which no fewer inputs are in."""
     try:
-        return derivative(signal, "t")
+        return derivative(signal, by)
     except ExpressionError:
         return signal
 
@@ -121,6 +128,10 @@ class _Search:
             self._made_of.setdefault(name, own)
         acting = (self._acting(), self._pushing()) if len(self._made_of) > 1 else ((), ())
         self._shaped, self._pushed = (self._sets(x, count) for x in acting)
+        shaken = self._shaking() if self._mechanism.accelerates else ()
+        self._accelerated = [
+            _union(*x) for x in zip(self._pushed, self._sets(shaken, count), strict=True)
+        ]
         while (grown := self._grown()) != self._shaped:
             self._shaped = grown
         shaped = [x.difference(_measured(x)) | AT_THE_START for x in self._shaped]
@@ -164,6 +175,8 @@ class _Search:
             return NOTHING
         if ref.section in OF_THE_FORCES and self._tells_forces:
             return self._directly(self._of_islands(self._pushed, ref))
+        if ref.section in ACCELERATIONS:
+            return self._directly(self._of_islands(self._accelerated, ref))
         return self._directly(self._of(*self._read(ref)))
 
     def _read(self, ref: Ref) -> Iterable[Number]:
@@ -239,6 +252,28 @@ class _Search:
         for load in (*mechanism.loads, *mechanism.moments, *mechanism.body_moments):
             yield load.value, joined, load
 
+    def _shaking(self) -> Iterator[Acting]:
+        """Yield the numbers by which rows make accelerations: of drivers, slips and velocities.
+
+        The second derivative of a signal is one; its rate is where the row is not linear in it.
+        """
+        mechanism = self._mechanism
+        joined, signals = mechanism.joined, mechanism.signals
+        bends = [_rate(_rate(signal)) for signal in mechanism.driven_signals]
+        yield bends, tuple, self._structure.driven_nodes.items
+        for row in mechanism.velocity_rows:
+            yield (row.formula.value,), joined, row
+        for friction in mechanism.frictions:
+            yield friction.numbers, joined, mechanism.velocity_rows[friction.rows[0]]
+        for row in mechanism.function_rows:
+            for k, leaf in enumerate(row.formula.leaves):
+                if leaf.kind != LEAF_SIGNAL:
+                    continue
+                rate = _rate(signals[leaf.index])
+                slope = _rate(row.formula.value, str(leaf_symbol(k)))
+                is_linear = not any(name.startswith("#") for name in symbols(slope))
+                yield (_rate(rate), 0.0 if is_linear else rate), joined, row
+
     def _islands(self, nodes: Iterable[int]) -> set[int]:
         """Islands of some nodes."""
         motion, of_node = self._mechanism.nodes, self._structure.islands.of_node
@@ -259,11 +294,11 @@ class _Search:
         """Nodes that a measurement is taken of."""
         mechanism, item = self._mechanism, ref.item
         match ref.section:
-            case "position" | "velocity" | "driven_force":
+            case "position" | "velocity" | "acceleration" | "driven_force":
                 return (item,)
-            case "place" | "place_velocity":
+            case "place" | "place_velocity" | "place_acceleration":
                 return mechanism.moving(mechanism.places[item])
-            case "quantity" | "quantity_rate":
+            case "quantity" | "quantity_rate" | "quantity_acceleration":
                 return mechanism.moving(*mechanism.quantities[item].forms)
             case "element_force":
                 return mechanism.joined(mechanism.elements[item])
@@ -277,7 +312,7 @@ class _Search:
             case "friction":
                 row = mechanism.frictions[item].rows[0]
                 return mechanism.joined(mechanism.velocity_rows[row])
-            case "quaternion" | "body_rate":
+            case "quaternion" | "body_rate" | "body_acceleration":
                 return mechanism.rigid[item]
             case "reaction_force" | "reaction_torque":
                 rows = mechanism.coincidences, mechanism.form_rows, mechanism.form_rows

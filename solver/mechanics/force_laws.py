@@ -6,7 +6,7 @@ energy or none; one that drives does work (theory 5.8).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -14,7 +14,7 @@ import numpy as np
 from solver.mechanics.formulas import formula
 from solver.mechanics.kinks import add_kinks
 from solver.mechanics.mechanism import Leaf, Scale
-from solver.mechanics.parts import Meaning
+from solver.mechanics.parts import ForceLaw
 from solver.mechanics.rows import Rows
 from solver.mechanics.rubbing import without_friction
 from solver.runtime.layout import LEAF_RATE, LEAF_VALUE, TAKES, WORKS
@@ -46,37 +46,30 @@ def add_resistance(rows: Rows, quantity: int, word: str, force: Number, scale: S
     ExpressionError
         When it pushes at some rate, or jumps with the motion at another place than rest.
     """
-    own = _own(quantity, word)
+    own = {word: Leaf(LEAF_VALUE, quantity), "rate": Leaf(LEAF_RATE, quantity)}
     _must_resist(rows, force)
     rest = -1.0 * without_friction(rows, -1.0 * force, {"rate": 1.0}, scale, own)
-    rows.parts.force_laws[rows.name] = rest, quantity, word
-    if isinstance(rest, Expr):
-        _add(rows, quantity, rest, own, TAKES)
+    _add(rows, quantity, ForceLaw(rest, own), TAKES)
 
 
-def add_drive(rows: Rows, quantity: int, word: str, force: Number) -> None:
-    """Add a force along a quantity that reads the motion, and does work.
+def add_drive(rows: Rows, quantity: int, force: Number) -> None:
+    """Add a force along a quantity, which may read its ``rate``, and does work.
 
     Raises
     ------
     ExpressionError
         When it jumps with the motion.
     """
-    rows.parts.force_laws[rows.name] = -1.0 * force, quantity, word
-    _add(rows, quantity, -1.0 * force, _own(quantity, word), WORKS)
+    _add(rows, quantity, ForceLaw(-1.0 * force, {"rate": Leaf(LEAF_RATE, quantity)}), WORKS)
 
 
-def _own(quantity: int, word: str) -> dict[str, Meaning]:
-    return {word: Leaf(LEAF_VALUE, quantity), "rate": Leaf(LEAF_RATE, quantity)}
-
-
-def _add(
-    rows: Rows, quantity: int, force: Number, own: Mapping[str, Meaning], role: int
-) -> None:  # fmt: skip
-    """Add N, positive where it draws its quantity together."""
-    found = formula(rows.parts, force, signals=False, own=own, along=quantity)
+def _add(rows: Rows, quantity: int, law: ForceLaw, role: int) -> None:
+    rows.parts.force_laws[rows.name] = law
+    if not isinstance(law.force, Expr):  # all of it rubs
+        return
+    found = formula(rows.parts, law.force, signals=False, own=law.own, along=quantity)
     rows.mechanism.potentials.append(found._replace(role=role))
-    add_kinks(rows, force, own)
+    add_kinks(rows, law.force, law.own)
 
 
 def _must_resist(rows: Rows, force: Number) -> None:

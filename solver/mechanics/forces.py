@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import pi
 
+from solver.mechanics.actuators import add_actuator
 from solver.mechanics.antiderivative import energy_of
 from solver.mechanics.combination import Combination
 from solver.mechanics.force_laws import add_resistance
@@ -18,6 +19,7 @@ from solver.mechanics.rubbing import without_friction
 from solver.mechanics.vectors import Vector, dot
 from solver.runtime.layout import LEAF_VALUE
 from solver.scene import (
+    Actuator,
     Damper,
     Expr,
     Force,
@@ -213,5 +215,5 @@ def _value(
 FORCES = {
     Spring: add_spring, Damper: add_damper, Gravitation: add_gravitation,
     Potential: add_potential, TorsionSpring: add_twist, TorsionDamper: add_twist,
-    JointTorque: add_twist, Force: add_load, Torque: add_torque,
+    JointTorque: add_twist, Force: add_load, Torque: add_torque, Actuator: add_actuator,
 }  # fmt: skip

@@ -238,6 +238,8 @@ class Mechanism:
     """Entries (kind, row, sign) of each joint."""
     rules: list[Rule] = field(default_factory=list)
     rule_numbers: list[Number] = field(default_factory=list)
+    accelerates: bool = False
+    """Whether accelerations are measured."""
     sensing: bool = False
     sensed: dict[str, str] = field(default_factory=dict)
     """Names of the quantities that sensors read, by the symbols of these."""

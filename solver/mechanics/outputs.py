@@ -8,26 +8,32 @@ is an expression over those.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import reduce
+from functools import partial, reduce
 from itertools import count
 from math import pi
 from typing import Any, TypeAlias
 
+from solver.mechanics.actuators import limited
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
 from solver.mechanics.forces import ANGLE, ELONGATION, LENGTH, free_length_of
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
+from solver.mechanics.instruments import of_a_sensor
 from solver.mechanics.parts import JointParts
+from solver.mechanics.powers import along, of_a_load, of_a_potential
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
+from solver.runtime.layout import LEAF_RATE, LEAF_VALUE
 from solver.scene import (
+    Actuator,
     BodyJoint,
     ClearanceContact,
     Constraint,
     Distance,
     Expr,
+    Force,
     Gear,
     Gravitation,
     JointTorque,
@@ -40,6 +46,8 @@ from solver.scene import (
     Screw,
     Spring,
     Stop,
+    Torque,
+    TorsionDamper,
     TorsionSpring,
 )
 from solver.scene.expression import operate, select, symbol
@@ -54,8 +62,9 @@ from solver.scene.quantities import (
     turning,
 )
 
-Found: TypeAlias = Mapping[str, "Ref | Number | Values"]
-"""Value of each quantity of a part, by its word; components as a list."""
+Found: TypeAlias = Mapping[str, "Ref | Number | Values | Callable[[], Ref | Number | Values]"]
+"""Value of each quantity of a part, by its word; components as a list; what is measured on demand
+is made on demand."""
 
 
 SECTIONS = {"constraint": "residual"}
@@ -105,36 +114,56 @@ def _named(
     listed: bool = True,
 ) -> Iterator[Named]:  # fmt: skip
     """Name the values of a part."""
+    asks = name in sensors.asked_of
     for offer in offers:
         value = values.get(offer.word)
-        if value is None:
+        if value is None or (offer.on_demand and not asks):
             continue
+        names = [*offer.named(name, sensors.parts.scene.dimension, part)]
+        if offer.on_demand and sensors.asked.isdisjoint(full for full, _ in names):
+            continue
+        value = value() if callable(value) else value
         components = (value,) if isinstance(value, (Ref, float, int, Expr)) else value
-        names = offer.named(name, sensors.parts.scene.dimension, part)
         for (full, text), meaning in zip(names, components, strict=False):
-            yield Named(full, offer.unit, text, meaning, listed)
+            if not offer.on_demand or full in sensors.asked:
+                yield Named(full, offer.unit, text, meaning, listed)
 
 
 def _motion(sensors: Sensors, name: str, place: Combination) -> Iterator[Named]:
-    """Position and velocity of a place."""
+    """Position, velocity and acceleration of a place."""
     x, v = sensors.motion(place)
     listed = sensors.parts.mechanism.moves(place)
-    yield from _named(sensors, name, None, MOTION, {"{}": x, "v{}": v}, listed)
+    values: Found = {"{}": x, "v{}": v, "a{}": lambda: sensors.acceleration(place)}
+    yield from _named(sensors, name, None, MOTION, values, listed)
 
 
 def _turn(sensors: Sensors, name: str) -> Found:
     parts, mechanism = sensors.parts, sensors.parts.mechanism
     frame = parts.frames.get(name)
     if mechanism.dim == 2:
-        return _of_quantity("angle", "angular_velocity", parts.body_angle(name))
+        return _of_angle(sensors, parts.body_angle(name))
     if not isinstance(frame, RigidFrame):
         return {}
     body = mechanism.bodies[frame.directors[0]]
-    return {"q{}": references("quaternion", body, 4), "w{}": references("body_rate", body, 3)}
+    return {
+        "q{}": references("quaternion", body, 4),
+        "w{}": references("body_rate", body, 3),
+        "wd{}": lambda: sensors.accelerations("body_acceleration", body, 3),
+    }
 
 
-def _of_quantity(word: str, rate: str, quantity: int) -> dict[str, Any]:
-    return {word: Ref("quantity", quantity), rate: Ref("quantity_rate", quantity)}
+def _of_angle(sensors: Sensors, quantity: int) -> dict[str, Any]:
+    return _of_quantity(sensors, quantity, "angle", "angular_velocity", "angular_acceleration")
+
+
+def _of_quantity(sensors: Sensors, quantity: int, *words: str) -> dict[str, Any]:
+    """Return a quantity, its rate and its second derivative, by their words."""
+    word, rate, acceleration = words
+    return {
+        word: Ref("quantity", quantity),
+        rate: Ref("quantity_rate", quantity),
+        acceleration: lambda: sensors.accelerations("quantity_acceleration", quantity, 1),
+    }
 
 
 # -------------------------------------------------------------------------------------- joints
@@ -145,12 +174,15 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
     found = sensors.parts.joints[name]
     values = _reaction(sensors, joint, found)
     if found.angle is not None:
-        values |= _of_quantity("angle", "angular_velocity", found.angle)
+        values |= _of_angle(sensors, found.angle)
     if found.displacement is not None:
-        values |= _of_quantity("displacement", "velocity", found.displacement)
+        words = "displacement", "velocity", "acceleration"
+        values |= _of_quantity(sensors, found.displacement, *words)
     if found.friction is not None:
         words = "friction", "slip", "friction_mode"
-        values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}
+        force, slip, mode = (Ref("friction", found.friction, k) for k in range(3))
+        values |= dict(zip(words, (force, slip, mode), strict=True))
+        values["power"] = lambda: -1.0 * _size(sensors, force) * _size(sensors, slip)
     for word, element in (("spring", found.spring), ("damper", found.damper)):
         if element is not None:
             values[word] = Ref("element_force", element)
@@ -159,6 +191,10 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
         pushes = [sensors.value(Ref("contact", k, FORCE)) for k in sensors.parts.contacts[name]]
         values["torque"] = pushes[0] - pushes[1]
     return values
+
+
+def _size(sensors: Sensors, ref: Ref) -> Number:
+    return operate("abs", sensors.value(ref))
 
 
 def _reaction(sensors: Sensors, joint: Part, found: JointParts) -> dict[str, Any]:
@@ -203,33 +239,68 @@ def _of_a_constraint(sensors: Sensors, name: str, _: Constraint) -> Found:
 def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     """Length and force, torque or energy of a force."""
     parts = sensors.parts
+    if isinstance(force, Actuator):
+        return _of_an_actuator(sensors, name, force)
     if name in parts.links:
-        length = Ref("quantity", parts.mechanism.length(parts.links[name]))
-        return {"length": length, "force": _tension(sensors, name, force, length)}
+        line = parts.mechanism.length(parts.links[name])
+        length = Ref("quantity", line)
+        tension = _tension(sensors, name, force, length)
+        pull = sensors.value(tension) if isinstance(tension, Ref) else tension
+        power = partial(along, sensors, -1.0 * pull, line)
+        return {"length": length, "force": tension, "power": power}
     if isinstance(force, Potential):
-        return {"energy": force.value}
+        return {"energy": force.value, "power": partial(of_a_potential, sensors, force)}
+    if isinstance(force, (Force, Torque)):
+        return {"power": partial(of_a_load, sensors, force)}
+    assert isinstance(force, (TorsionSpring, TorsionDamper, JointTorque))
+    angle = parts.joints[force.joint].angle
+    assert angle is not None
     if isinstance(force, TorsionSpring) and force.torque is not None:
-        angle = parts.joints[force.joint].angle
-        assert angle is not None
         turned = sensors.value(Ref("quantity", angle)) - force.free_angle
-        return {"torque": with_symbols(force.torque, {ANGLE: turned})}
+        torque = with_symbols(force.torque, {ANGLE: turned})
+        return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
     if name in parts.force_laws:
-        return {"torque": _of_law(sensors, name)}
+        torque = _of_law(sensors, name)
+        return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
     torque = Ref("element_force", parts.elements[name])
     if not isinstance(force, JointTorque):
-        return {"torque": torque}
+        power = partial(along, sensors, -1.0 * sensors.value(torque), angle)
+        return {"torque": torque, "power": power}
     rubs, sign = parts.rubbing.get(name, (None, 0.0))
     friction = 0.0 if rubs is None else sign * sensors.value(Ref("friction", rubs, 0))
-    return {"torque": friction - sensors.value(torque)}
+    value = friction - sensors.value(torque)
+    return {"torque": value, "power": partial(along, sensors, value, angle)}
 
 
 def _of_law(sensors: Sensors, name: str) -> Number:
-    """Return a force that reads the motion, positive where it draws its quantity together."""
-    law, quantity, word = sensors.parts.force_laws[name]
-    value, rate = (sensors.value(Ref(x, quantity)) for x in ("quantity", "quantity_rate"))
-    force = with_symbols(law, {symbol(word): value, symbol("rate"): rate})
+    """Return a force with a law of its own, positive where it draws its quantity together."""
+    law, own = sensors.parts.force_laws[name]
+    kinds = {LEAF_VALUE: "quantity", LEAF_RATE: "quantity_rate"}
+    seen = {symbol(x): sensors.value(Ref(kinds[y.kind], y.index)) for x, y in own.items()}
     rubs, sign = sensors.parts.rubbing.get(name, (None, 0.0))
+    force = with_symbols(law, seen)
     return force if rubs is None else force - sign * sensors.value(Ref("friction", rubs, 0))
+
+
+def _of_an_actuator(sensors: Sensors, name: str, actuator: Actuator) -> Found:
+    """Force or torque along what it acts on, its power, and which limit it is at."""
+    parts = sensors.parts
+    if actuator.points is not None:
+        quantity = parts.mechanism.length(parts.links[name])
+    else:
+        found = parts.joints[actuator.joint or actuator.guide or ""]
+        quantity = found.angle if actuator.joint is not None else found.displacement
+        assert quantity is not None
+    rate = sensors.value(Ref("quantity_rate", quantity))
+    force = -1.0 * _of_law(sensors, name)
+    return {
+        "length": Ref("quantity", quantity),
+        "force": force,
+        "torque": force,
+        "motor_speed": actuator.ratio * rate,
+        "power": force * rate,
+        "limited": with_symbols(limited(actuator), {symbol("rate"): rate}),
+    }
 
 
 def _tension(
@@ -358,5 +429,6 @@ _VALUES: dict[str, Callable[[Sensors, str, Any], Found]] = {
     "constraints": _of_a_constraint,
     "forces": _of_a_force,
     "drivers": _of_a_driver,
+    "sensors": of_a_sensor,
 }
 """Values of the parts of each table."""

@@ -60,6 +60,15 @@ class CompliantContact(NamedTuple):
     """Share of the force per speed."""
 
 
+class ForceLaw(NamedTuple):
+    """A force of what it reads, positive where it draws its quantity together."""
+
+    force: Number
+    """Without what rubs."""
+    own: dict[str, Leaf]
+    """Symbols with a meaning in it alone, such as ``rate``."""
+
+
 @dataclass(slots=True)
 class Parts:
     """Names and what they stand for in a mechanism."""
@@ -79,9 +88,8 @@ class Parts:
     """Element of a force."""
     rubbing: dict[str, tuple[int, float]] = field(default_factory=dict)
     """Friction of a force with the sign of a rate, and the sign with which it acts along that."""
-    force_laws: dict[str, tuple[Number, int, str]] = field(default_factory=dict)
-    """Force against the rate of a quantity, of forces that read the motion, the quantity, and what
-    it is called in it beside ``rate``; without what rubs."""
+    force_laws: dict[str, ForceLaw] = field(default_factory=dict)
+    """Of dampers and actuators that have a law of their own."""
     contacts: dict[str, list[int]] = field(default_factory=dict)
     """Index among the mechanism's contacts; a stop with both ends has two."""
     compliant: dict[str, list[CompliantContact]] = field(default_factory=dict)

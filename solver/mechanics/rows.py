@@ -19,7 +19,7 @@ from solver.mechanics.parts import Parts, RowOf
 from solver.mechanics.vectors import Vector, dot, unit
 from solver.runtime.layout import REACTION_COINCIDENCE, REACTION_FORCE, REACTION_TORQUE
 from solver.runtime.model import Row, Rule
-from solver.scene import Expr, Number
+from solver.scene import Expr, Number, symbols
 from solver.scene.fields import Part, fields_of
 
 METRES, RADIANS = Scale(1.0, 1), Scale(1.0, 0)
@@ -55,12 +55,17 @@ class Rows:
                 self.rule(number, "finite", f"{what} must be a finite number")
 
     def demand(self, part: Part) -> None:
-        """Demand what the fields of a part declare of their numbers."""
+        """Demand what the fields of a part declare of their numbers, but of those that move."""
         for name, relation, text in _demands(type(part)):
             value = getattr(part, name)
             for number in value if isinstance(value, tuple) else (value,):
-                if number is not None:
+                if number is not None and self.is_known(number):
                     self.rule(number, relation, text)
+
+    def is_known(self, number: Number) -> bool:
+        """Whether a number depends on parameters, inputs and the time alone."""
+        known = self.mechanism.varying, self.parts.scene.parameters.keys()
+        return isinstance(number, float) or not symbols(number).difference(*known)
 
     def unit(self, vector: Vector, text: str = "axis must not be of length zero") -> Vector:
         """Return a/|a|, and demand that it exists."""

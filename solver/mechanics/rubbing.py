@@ -13,7 +13,6 @@ from collections.abc import Mapping
 
 from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.mechanism import Formula, Friction, Leaf, Scale
-from solver.mechanics.parts import Meaning
 from solver.mechanics.rows import Rows
 from solver.scene import Expr, Number, symbols
 from solver.scene.expression import Operand, operate, symbol
@@ -27,7 +26,7 @@ SIDES = {
 
 def without_friction(
     rows: Rows, value: Number, slips: Mapping[str, float], scale: Scale,
-    own: Mapping[str, Meaning] | None = None,
+    own: Mapping[str, Leaf] | None = None,
 ) -> Number:  # fmt: skip
     """Return a force without what rubs in it, which becomes a friction of the mechanism.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
@@ -14,9 +15,12 @@ from solver.mechanics.vectors import Vector, add, scale, turned
 from solver.scene import Expr, Number
 from solver.scene.expression import symbol
 
-_VECTORS = ("position", "velocity", "place", "place_velocity", "reaction_force", "driven_force")
+_VECTORS = (
+    *("position", "velocity", "acceleration", "place", "place_velocity", "place_acceleration"),
+    *("reaction_force", "driven_force"),
+)
 
-_ALWAYS = {"quaternion": 4, "body_rate": 3, "contact": 5, "friction": 3}
+_ALWAYS = {"quaternion": 4, "body_rate": 3, "body_acceleration": 3, "contact": 5, "friction": 3}
 WIDTHS = {
     2: _ALWAYS | dict.fromkeys(_VECTORS, 2),
     3: _ALWAYS | {"reaction_torque": 3} | dict.fromkeys(_VECTORS, 3),
@@ -52,14 +56,21 @@ class Named(NamedTuple):
 Values = list[Ref] | Vector
 
 
-@dataclass(slots=True)
+@dataclass
 class Sensors:
     """Measurements of a mechanism, as they stand in expressions of outputs."""
 
     parts: Parts
+    asked: frozenset[str] = frozenset()
+    """Names of quantities that are wanted: what is measured on demand is measured for these."""
     refs: dict[str, Ref] = field(default_factory=dict)
     """Measurements in expressions, by their symbols."""
     _places: dict[int, int] = field(default_factory=dict)
+
+    @cached_property
+    def asked_of(self) -> frozenset[str]:
+        """Parts whose quantities are asked for."""
+        return frozenset(name.rpartition(".")[0] for name in self.asked)
 
     def value(self, ref: Ref) -> Expr:
         """Return the symbol of a measurement, to be used in expressions."""
@@ -105,18 +116,45 @@ class Sensors:
     def motion(self, place: Combination) -> tuple[Values, Values]:
         """Return position and velocity of a place: measurements, or numbers where it stays."""
         mechanism = self.parts.mechanism
-        dim = mechanism.dim
         if not mechanism.moves(place):
-            return mechanism.drawn(place), (0.0,) * dim
-        item, kind = place.single, ""
-        if item is None:
-            form, kind = mechanism.link(place), "place_"
-            if form not in self._places:
-                self._places[form] = len(mechanism.places)
-                mechanism.places.append(form)
-            item = self._places[form]
+            return mechanism.drawn(place), (0.0,) * mechanism.dim
+        item, kind = self._item(place)
         first = "place" if kind else "position"
-        return references(first, item, dim), references(f"{kind}velocity", item, dim)
+        both = first, f"{kind}velocity"
+        x, v = (references(section, item, mechanism.dim) for section in both)
+        return x, v
+
+    def velocity(self, place: Combination) -> Vector:
+        """Return the velocity of a place, or the rate of a link, for expressions."""
+        return self.numbers(self.motion(place)[1])
+
+    def numbers(self, values: Values) -> Vector:
+        """Return measurements as they stand in expressions."""
+        return tuple(self.value(x) if isinstance(x, Ref) else x for x in values)
+
+    def acceleration(self, place: Combination) -> Values:
+        """Return the acceleration of a place, likewise."""
+        mechanism = self.parts.mechanism
+        if not mechanism.moves(place):
+            return (0.0,) * mechanism.dim
+        item, kind = self._item(place)
+        return self.accelerations(f"{kind}acceleration", item, mechanism.dim)
+
+    def accelerations(self, section: str, item: int, count: int) -> list[Ref]:
+        """Return components of a measurement that accelerations are solved for."""
+        self.parts.mechanism.accelerates = True
+        return references(section, item, count)
+
+    def _item(self, place: Combination) -> tuple[int, str]:
+        """Return the node of a place, or its index among the places and what tells these apart."""
+        if place.single is not None:
+            return place.single, ""
+        mechanism = self.parts.mechanism
+        form = mechanism.link(place)
+        if form not in self._places:
+            self._places[form] = len(mechanism.places)
+            mechanism.places.append(form)
+        return self._places[form], "place_"
 
 
 def references(section: str, item: int, count: int) -> list[Ref]:

@@ -193,9 +193,11 @@ class Structure:
     def place_of(self) -> dict[str, Sequence[int] | dict[int, int]]:
         """Of each section of measurements: place of an item, by its index before ordering."""
         return {
-            **dict.fromkeys(("position", "velocity"), self.node_of),
-            **dict.fromkeys(("quantity", "quantity_rate"), self.quantity_of),
-            **dict.fromkeys(("quaternion", "body_rate"), self.bodies.place),
+            **dict.fromkeys(("position", "velocity", "acceleration"), self.node_of),
+            **dict.fromkeys(
+                ("quantity", "quantity_rate", "quantity_acceleration"), self.quantity_of
+            ),
+            **dict.fromkeys(("quaternion", "body_rate", "body_acceleration"), self.bodies.place),
             "element_force": self.elements.place,
             "rod_force": self.form_rows.place,
             "multiplier": self.multiplier_of,
@@ -294,6 +296,7 @@ class Structure:
             "unilateral": int(bool(mechanism.contacts or mechanism.frictions)),
             "n_sampled": len(self.sampled),
             "sensing": int(mechanism.sensing),
+            "accelerates": int(mechanism.accelerates),
         }
 
     @cached_property

@@ -86,13 +86,16 @@ def variables_of(
 ) -> Iterator[Variable]:
     """Yield all variables: parameters, inputs, settings, outputs of the scene, measurements."""
 
-    def output(name: str, unit: str, text: str, meaning: Ref | Number) -> Variable:
+    def output(name: str, unit: str, text: str, meaning: Ref | Number, shown: str = "") -> Variable:
         if isinstance(meaning, Ref):
             kind, place = "measured", meaning.place(structure)
         else:
             kind, place = "number", numbers.place(meaning, Segment.OUTPUTS)
         limits = None, None, None  # start, minimum, maximum
-        return Variable(name, "Real", "output", "continuous", unit, text, *limits, kind, place)
+        return Variable(
+            name, "Real", "output", "continuous", unit, text, *limits, kind, place,
+            display_unit=shown,
+        )  # fmt: skip
 
     yield from _parameters(scene, numbers)
     for place, (name, given) in enumerate(scene.inputs.items()):
@@ -100,12 +103,12 @@ def variables_of(
             name=name, type="Real", causality="input", variability="continuous",
             unit=given.unit, description=given.told, start=given.start,
             minimum=given.min, maximum=given.max, kind="input", place=place,
-            clips=given.limit == "clip",
+            clips=given.limit == "clip", display_unit=given.display_unit,
         )  # fmt: skip
     mechanism = structure.mechanism
     yield from _settings(scene, unilateral=bool(mechanism.contacts or mechanism.frictions))
     for name, given in scene.outputs.items():
-        yield output(name, given.unit, given.description, given.value)
+        yield output(name, given.unit, given.description, given.value, given.display_unit)
     for named in table:
         if named.listed:
             yield output(named.name, named.unit, named.text, named.meaning)
@@ -117,6 +120,7 @@ def _parameters(scene: Scene, numbers: Numbers) -> Iterator[Variable]:
         common = {
             "name": name, "type": "Real", "variability": given.variability, "unit": given.unit,
             "description": given.description, "minimum": given.min, "maximum": given.max,
+            "display_unit": given.display_unit,
         }  # fmt: skip
         if isinstance(given.value, Expr):
             place = numbers.place(given.value)

@@ -77,6 +77,7 @@ SIZES = (
     "time_dependent",  # 1: the laws change within a communication step
     "variable_potential",  # 1: the laws write springs or potentials, so stored energy may jump
     "sensing",  # 1: the laws read quantities
+    "accelerates",  # 1: accelerations are measured
     "fits_velocities",  # 1: velocities are made to fit joints, whose axes are not quite as written
     "n_registers",  # most leaves and operations of a function
     "n_local_forms",  # most forms of a composite
@@ -503,6 +504,9 @@ MEASURED = {
     "loss": "3 * unilateral",  # to dampers, friction and impacts
     "contact_solver": "6 * unilateral",  # events of the last step, whether it was stepped, jams,
     # impacts by Newton's law, mixed ones, deferred frictions
+    "acceleration": "accelerates * n", "place_acceleration": "accelerates * dim * n_places",
+    "quantity_acceleration": "accelerates * n_quantities",
+    "body_acceleration": "3 * accelerates * n_oriented",  # angular acceleration
 }
 """Groups of measurements, in the section `measured` of the numbers."""
 

@@ -26,8 +26,9 @@ from .model_file import fingerprint, from_bytes
 class Variable(
     namedtuple(
         "Variable",
-        "name type causality variability unit description start minimum maximum kind place clips",
-        defaults=("", "", None, None, None, "measured", 0, False),
+        "name type causality variability unit description start minimum maximum kind place clips"
+        " display_unit",
+        defaults=("", "", None, None, None, "measured", 0, False, ""),
     )
 ):
     """A named quantity that a user reads or sets.
@@ -46,6 +47,8 @@ class Variable(
         "measured" (behind the offset of the measurements) or "option"; and the index there.
     clips : bool
         Whether a value beyond minimum or maximum is the limit instead of an error.
+    display_unit : str
+        In which tools show it; values stay in `unit`.
     """
 
     __slots__ = ()

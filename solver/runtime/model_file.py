@@ -95,7 +95,7 @@ def _fields(
             text(name), value_type, causality, variability, text(unit), description,
             start if "has_start" in given else None, low if "has_minimum" in given else None,
             high if "has_maximum" in given else None, kind, 0 if kind == "option" else place,
-            "clips" in given,
+            "clips" in given, told.get("display_units", {}).get(text(name), ""),
         )  # fmt: skip
 
     def rule(record: tuple, location: str) -> Rule:

@@ -83,7 +83,7 @@ def _codes(*kinds: str) -> list[int]:
 
 
 def _record(variable: Variable, at: Mapping[str, int]) -> bytes:
-    name, value, causality, variability, unit, _, start, low, high, kind, place, clips = variable
+    name, value, causality, variability, unit, _, start, low, high, kind, place, clips, _ = variable
     flags = (
         layout.FLAGS["has_start"] * (start is not None)
         | layout.FLAGS["has_minimum"] * (low is not None)
@@ -118,10 +118,12 @@ def _records(model: Model, at: Mapping[str, int]) -> Iterator[bytes]:
 
 def _rest(model: Model) -> dict[str, object]:
     """Return what only Python reads."""
+    shown = {x.name: x.display_unit for x in model.variables if x.display_unit}
     return {
         "name": model.name, "description": model.description, "forces": model.forces,
         "meshes": model.meshes, "experiment": model.experiment,
         "variables": [variable.description for variable in model.variables],
+        **({"display_units": shown} if shown else {}),
         "rules": [rule.location for rule in model.rules],
         "rows": [row.location for row in model.rows],
     }  # fmt: skip

@@ -5,6 +5,7 @@ scene = load("double_pendulum.toml", {"length": 2.0, "points.A.mass": 3.0})
 
 from __future__ import annotations
 
+from solver.scene.actuators import Actuator
 from solver.scene.bodies import Bar, Body, Point, Rigid
 from solver.scene.contact_laws import Contact, RubbingContact
 from solver.scene.contacts import (
@@ -67,6 +68,7 @@ from solver.scene.parameters import Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.reader import load, loads
 from solver.scene.scene import Output, Scene, json_schema
+from solver.scene.sensors import Imu, Relative
 from solver.scene.settings import Experiment, SolverSettings
 from solver.scene.shapes import (
     BoxContact,

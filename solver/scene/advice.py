@@ -18,6 +18,7 @@ from solver.scene.numbers import NumberChecks
 from solver.scene.parallel_axes import Groups
 from solver.scene.parameters import Input
 from solver.scene.profiles import Profile
+from solver.scene.units import literal
 
 LARGE = 100.0
 """Length in m from which it may be one in mm, and ratio of one to the next smaller of the scene."""
@@ -38,6 +39,7 @@ def advise(
     `parts` are by table and name, `settings` those of the solver.
     """
     _unused(numbers)
+    _unused_expressions(numbers.draft)
     _settings_of_contacts(numbers)
     _settings_of_tolerance(numbers, settings)
     _held(numbers, parts["inputs"])
@@ -54,9 +56,18 @@ def _unused(numbers: NumberChecks) -> None:
         table = f"{known.parts[name]}s"
         given = data[table][name]
         value = given.get("value") if isinstance(given, dict) else given
-        if name not in known.uses and not isinstance(value, str):
+        is_formula = isinstance(value, str) and not literal(value)
+        if name not in known.uses and not is_formula:
             help = "use it in an expression, or leave it out"
             numbers.draft.warn((table, name), "nothing depends on it", help)
+
+
+def _unused_expressions(draft: Draft) -> None:
+    """Warn of named expressions that stand nowhere."""
+    for name in draft.expressions:
+        if name not in draft.expressions.used:
+            help = "use it in an expression, or leave it out"
+            draft.warn(("expressions", name), "nothing mentions it", help)
 
 
 def _settings_of_contacts(numbers: NumberChecks) -> None:

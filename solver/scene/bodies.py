@@ -15,6 +15,7 @@ from solver.scene.quantities import (
     ROTATION_IN_SPACE,
     SCALAR_IN_THE_PLANE,
     Offer,
+    angular_acceleration,
 )
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE
 
@@ -30,6 +31,7 @@ _TURN = (
     Offer(
         "angular_velocity", "rad/s", "angular velocity of {name}", "rate", SCALAR_IN_THE_PLANE
     ),
+    angular_acceleration(SCALAR_IN_THE_PLANE),
 )  # fmt: skip
 
 
@@ -102,10 +104,10 @@ class Bar(Part):
 class NoList(kind.Kind):
     """Stands where a list is a mistake."""
 
-    def parse(self, draft: "Draft", path: Path, value: Any) -> Any:
+    def parse(self, draft: "Draft", path: Path, value: Any, unit: str = "") -> Any:  # noqa: ARG002
         """Report the list."""
         message = f"must be a number in dimension 2 and a table in dimension 3, got {shown(value)}"
-        help = 'angles are in rad: write for instance { axis = [0, 1, 0], angle = "pi/2" }'
+        help = 'write for instance { axis = [0, 1, 0], angle = "90 deg" }'
         draft.error(path, message, help)
         return BROKEN
 
@@ -132,7 +134,11 @@ class Rigid(Part):
         Offer(
             "w{}", "rad/s", "angular velocity of {name}, {axis} component", axes=ROTATION_IN_SPACE
         ),
-    )
+        Offer(
+            "wd{}", "rad/s2", "angular acceleration of {name}, {axis} component", "acceleration",
+            ROTATION_IN_SPACE, on_demand=True,
+        ),
+    )  # fmt: skip
     also = {  # noqa: RUF012
         "shape": kind.Table(
             text="box, cylinder or sphere; in 2-D box, disc or rod; with a density or mass",
@@ -144,7 +150,7 @@ class Rigid(Part):
     inertia: Annotated[
         Number | tuple[Vector, Vector, Vector],
         kind.ByShape(
-            text="kg.m2 about the centre of mass: a number in 2-D, [Jx, Jy, Jz] or 3 x 3 in 3-D, "
+            "kg.m2", "about the centre of mass: a number in 2-D, [Jx, Jy, Jz] or 3 x 3 in 3-D, "
             "with Jxy = -integral of x*y dm",
             required=False, number=kind.NUMBER, vector=kind.COMPONENTS,
             vectors=kind.ListOf(item=kind.COMPONENTS),
@@ -158,7 +164,7 @@ class Rigid(Part):
     orientation: Annotated[
         Number | tuple[Vector, Vector, Vector],
         kind.ByShape(
-            text="rad in 2-D; in 3-D { axis, angle }, { quaternion }, { rotation_vector } or "
+            "rad", "in 2-D; in 3-D { axis, angle }, { quaternion }, { rotation_vector } or "
             "{ matrix }",
             required=False, number=kind.NUMBER, vector=NoList(),
             table=kind.Table(parts=(Orientation,)),
@@ -170,7 +176,7 @@ class Rigid(Part):
     angular_velocity: Annotated[
         Number | Vector | None,
         kind.ByShape(
-            text="rad/s: a number in 2-D; in 3-D a vector, or { body = [...] }; 0 by default",
+            "rad/s", "a number in 2-D; in 3-D a vector, or { body = [...] }; 0 by default",
             number=kind.NUMBER, vector=kind.COMPONENTS, table=kind.Table(parts=(InBodyAxes,)),
         ),
     ] = None  # fmt: skip

@@ -308,6 +308,7 @@ class Stop(RubbingContact):
             draft.error(path, "neither 'min' nor 'max' is given", "give one or both")
         low, high = (x if x is None else reader.value(x) for x in (self.min, self.max))
         for name, value in (("min", low), ("max", high)):
+            reader.in_unit((*path, name), getattr(given, name), "rad" if self.turns else "m")
             if self.turns and value is not None:
                 reader.advise_radians((*path, name), getattr(given, name), value)
         if low is not None and high is not None and not low < high:

@@ -15,7 +15,7 @@ from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
 from solver.scene.profiles import check_smooth
 from solver.scene.quantities import CONTACT, VECTOR, Offer, turning
-from solver.scene.rules import NOT_ZERO, POSITIVE, PROPERTY, SHARE, Place
+from solver.scene.rules import COORDINATES, NOT_ZERO, POSITIVE, PROPERTY, SHARE, Place
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -112,7 +112,7 @@ class PointOn(Part):
 
 def read_surface(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
     """Check that an expression depends on the coordinates of a point."""
-    own = ("x", "y", "z")[: reader.dimension or 3]
+    own = COORDINATES[: reader.dimension or 3]
     number = reader.number(path, value, Place(tunable=False, own=own))
     if value is not BROKEN and not any(mention.name in own for mention in value.mentions):
         message = f"mentions none of the coordinates {', '.join(own)} of the point"
@@ -184,7 +184,7 @@ class ConstantAngle(Part):
         help = "for parallel axes write 'prismatic', 'cylindrical' or 'planar'"
         if angle is not None and not (ALIGNED < angle < math.pi - ALIGNED):
             if angle > math.pi:
-                help = f'if these are degrees, write "{angle:.12g}*pi/180"'
+                help = f'if these are degrees, write "{angle:.12g} deg"'
             message = f"must be > 0 and < pi rad, where the joint is singular, got {angle:.15g}"
             reader.draft.error((*path, "value"), message, help)
         elif value is None and cosine is not None and 1.0 - abs(cosine) < 0.5 * ALIGNED**2:

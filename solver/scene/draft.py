@@ -16,6 +16,7 @@ from solver.options import removed
 from solver.scene.expression import Curve
 from solver.scene.fields import BROKEN, Part, fields_of, shown
 from solver.scene.mistakes import Path, Problem, SceneError, Source, location_of
+from solver.scene.named_expressions import Expressions
 from solver.scene.scene import TABLES, TYPES
 from solver.scene.words import did_you_mean, nearest
 
@@ -50,6 +51,7 @@ class Draft:
         self.warnings: list[Problem] = []
         self.curves: dict[str, Curve] = {}
         """Profiles that expressions can call."""
+        self.expressions = Expressions(self)
         self.seats: dict[tuple[Path, str], Seat] | None = None
         """Where each place lies on each of its bodies, if that is asked for."""
         self.seats_of_file: Mapping[tuple[Path, str], Seat] | None = None
@@ -90,9 +92,10 @@ class Draft:
         checked, types = {}, self._possible(TYPES.get(table, {}))
         for name, data in self.table(table).items():
             path = (table, name)
-            if table == "parameters" and not isinstance(data, dict):
+            short = TABLES[table].types[0].short
+            if short and not isinstance(data, dict):
                 part = TABLES[table].types[0]
-                checked[name] = part, self.part(path, part, {"value": data}, short=True)
+                checked[name] = part, self.part(path, part, {short: data}, short=True)
             elif not isinstance(data, dict):
                 help = "write it as a table: { ... }"
                 self.error(path, f"must be a table of fields, got {shown(data)}", help)

@@ -20,7 +20,9 @@ from solver.scene.expression import ExpressionError, Vector
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Offer
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
-from solver.scene.units import in_si
+from solver.scene.substitution import ReportedError
+from solver.scene.units import Literal, literal, misfit, remedy, unit_help
+from solver.scene.usual_texts import USUAL_TEXTS
 from solver.scene.words import did_you_mean
 
 if TYPE_CHECKING:
@@ -93,8 +95,11 @@ class Kind:
         """JSON Schema of what the file may have; empty where that is a mistake."""
         return {}
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
-        """Check what a file writes, by itself; ``BROKEN`` after a mistake."""
+    def parse(self, draft: Draft, path: Path, value: Any, unit: str = "") -> Any:
+        """Check what a file writes, by itself; ``BROKEN`` after a mistake.
+
+        `unit` is that of the list or table in which it stands.
+        """
         raise NotImplementedError
 
     def usual(self, reader: Reader, path: Path, value: Any) -> Any:  # noqa: ARG002
@@ -120,24 +125,30 @@ class Kind:
 
 
 class Quantity(Kind):
-    """A number, or an expression as text; parsed, it is a ``ParsedNumber`` of the grammar."""
+    """A number, with a unit or without, or an expression; parsed, it is a ``ParsedNumber``."""
+
+    of_any_unit: ClassVar[bool] = False
 
     def form(self) -> dict[str, Any]:
         """JSON Schema of a number."""
-        text = "a number, or an expression as text"
+        text = "a number, one with a unit as text, or an expression as text"
         return {"type": ["number", "string"], "description": text}
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
-        """Read a number or the text of an expression."""
+    def parse(self, draft: Draft, path: Path, value: Any, unit: str = "") -> Any:
+        """Read a number, a number with its unit, or the text of an expression."""
         if type(value) is float and math.isfinite(value):  # most are
             return grammar.ParsedNumber(value, value)
         if isinstance(value, str):
+            if found := literal(value):
+                return self._in_si(draft, path, value, found, self.unit or unit)
             try:
-                return grammar.read(value, draft.curves)
+                return grammar.read(value, draft.curves, draft.expressions)
+            except ReportedError:
+                return BROKEN
             except ExpressionError as error:
                 message = f"{error.message}, column {error.column} of '{value}'"
                 mark = (value, error.column or 1)
-                draft.error(path, message, error.help or in_si(value), mark)
+                draft.error(path, message, error.help or unit_help(value), mark)
                 return BROKEN
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             draft.error(path, f"must be a number or an expression, got {shown(value)}")
@@ -151,9 +162,26 @@ class Quantity(Kind):
         draft.error(path, f"must be a finite number, got {shown(value)}")
         return BROKEN
 
+    def _in_si(self, draft: Draft, path: Path, text: str, found: Literal, wanted: str) -> Any:
+        """Return the number of SI that a literal is; report one of another quantity."""
+        words = "" if self.of_any_unit else misfit(found.unit, wanted)
+        if words:
+            draft.error(path, f"is {text}, {words}", remedy(wanted))
+        elif math.isinf(found.value):
+            draft.error(path, f"is {text}, larger than any floating-point number")
+        else:
+            return grammar.ParsedNumber(text, found.value, unit=found.unit)
+        return BROKEN
+
     def usual(self, reader: Reader, path: Path, value: Any) -> Any:
         """Check symbols, rule and unit."""
         return reader.number(path, value, self.place, self.rule, self.unit)
+
+
+class OfAnyUnit(Quantity):
+    """A number in the unit of its part, with which the part compares that of a literal."""
+
+    of_any_unit = True
 
 
 @dataclass(frozen=True)
@@ -168,13 +196,14 @@ class ListOf(Kind):
         size = dict(zip(("minItems", "maxItems"), self.size or (), strict=False))
         return {"type": "array", "items": self.item.schema(), **size}
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
+    def parse(self, draft: Draft, path: Path, value: Any, unit: str = "") -> Any:
         """Check all items."""
         if not isinstance(value, list):
             return self.wrong(draft, path, "must be a list", value)
         if self.size == TWO and len(value) != 2:
             return self.wrong(draft, path, "must have two entries", value)
-        parsed = [self.item.parse(draft, (*path, i), item) for i, item in enumerate(value)]
+        unit = self.unit or unit
+        parsed = [self.item.parse(draft, (*path, i), item, unit) for i, item in enumerate(value)]
         return BROKEN if any(item is BROKEN for item in parsed) else parsed
 
 
@@ -214,13 +243,14 @@ class Table(Kind):
         first, *more = [schema_of(part) for part in self.parts]
         return {"anyOf": [first, *more]} if more else first
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
+    def parse(self, draft: Draft, path: Path, value: Any, unit: str = "") -> Any:
         """Check all items."""
         if not isinstance(value, dict):
             return self.wrong(draft, path, "must be a table", value)
         if self.item is None:
             return value
-        parsed = {name: self.item.parse(draft, (*path, name), x) for name, x in value.items()}
+        unit, item = self.unit or unit, self.item
+        parsed = {name: item.parse(draft, (*path, name), x, unit) for name, x in value.items()}
         return BROKEN if any(item is BROKEN for item in parsed.values()) else parsed
 
 
@@ -238,7 +268,7 @@ class ByShape(Kind):
         kinds = (self.number, self.table, self.vector, self.vectors)
         return {"oneOf": [kind.schema() for kind in kinds if kind and kind.form()]}
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
+    def parse(self, draft: Draft, path: Path, value: Any, unit: str = "") -> Any:
         """Parse what the shape of the value tells."""
         kind = self.number or self.vector
         if isinstance(value, dict):
@@ -247,7 +277,7 @@ class ByShape(Kind):
             nested = any(isinstance(item, list) for item in value)
             kind = (self.vectors if nested else None) or self.vector or kind
         assert kind is not None
-        return kind.parse(draft, path, value)
+        return kind.parse(draft, path, value, self.unit or unit)
 
 
 @dataclass(frozen=True)
@@ -263,7 +293,7 @@ class Choice(Kind):
         words = {"enum": [first, *more]} if more else {"const": first}
         return {"type": _TYPES[type(first)][0], **words}
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
+    def parse(self, draft: Draft, path: Path, value: Any, unit: str = "") -> Any:  # noqa: ARG002
         """Report a value outside the list."""
         if type(value) in (str, int) and value in self.words:
             return value
@@ -292,7 +322,7 @@ class Plain(Kind):
         pattern = {"pattern": self.pattern} if self.pattern else {}
         return {"type": _TYPES[self.type][0], **pattern}
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
+    def parse(self, draft: Draft, path: Path, value: Any, unit: str = "") -> Any:  # noqa: ARG002
         """Check the type."""
         fits = type(value) is self.type
         return value if fits else self.wrong(draft, path, _TYPES[self.type][1], value)
@@ -312,24 +342,25 @@ _TYPES = {
 
 
 def setting(
-    unit: str = "", text: str = "", rule: Rule | None = None, default: float = 0.0, **more: Any
-) -> Quantity:
+    unit: str = "", text: str = "", rule: Rule | None = None, default: float = 0.0,
+    kind: type[Quantity] = Quantity, **more: Any,
+) -> Quantity:  # fmt: skip
     """Return the kind of a number without symbols, with a default."""
 
     def constant(reader: Reader, path: Path, value: Any, _: Any) -> float:
         return reader.constant(path, value, default, rule, unit)
 
-    return Quantity(unit, text, rule, SETTING, reading=constant, **more)
+    return kind(unit, text, rule, SETTING, reading=constant, **more)
 
 
-def joint_with(word: str, example: str) -> Plain:
+def joint_with(word: str, example: str, text: str = "") -> Plain:
     """Return the kind of the name of a joint that has an angle or a displacement."""
 
     def read(reader: Reader, path: Path, name: Any, _: Any) -> str:
         reader.joint(path, name, word)
         return "" if name is BROKEN else name
 
-    return Plain(example=example, reading=read)
+    return Plain(text=text, example=example, reading=read)
 
 
 def _body(reader: Reader, path: Path, name: Any, _: Any) -> str | None:
@@ -348,7 +379,7 @@ TWO_ENDS = ListOf(
     item=NAME, size=TWO, example=["A", "B"],
     beside={
         "at": ByShape(
-            text="m, place of 'ground', or of each end, as drawn",
+            "m", "place of 'ground', or of each end, as drawn",
             vector=COMPONENTS, vectors=ListOf(item=COMPONENTS),
         )
     },
@@ -388,6 +419,8 @@ class Part:
 
     type: ClassVar[str] = ""
     """Type in a table of parts of several types."""
+    short: ClassVar[str] = ""
+    """Field whose value a file may write alone, in place of the table of fields."""
     is_usual: ClassVar[bool] = False
     """Whether a part without a type has this one."""
     only_in: ClassVar[tuple[int, str]] = (0, "")
@@ -443,34 +476,6 @@ def fields_of(part: type[Part]) -> Mapping[str, Field]:
             found[own.name] = Field(kind, required, default, True)
             found |= {name: Field(x, False, None, False) for name, x in kind.beside.items()}
     return found | {name: Field(kind, False, None, False) for name, kind in part.also.items()}
-
-
-USUAL_TEXTS = {
-    "name": "of the mechanism and its FMU",
-    "description": "one sentence",
-    "dimension": "2 or 3: every vector has as many numbers",
-    "type": "which kind of part it is",
-    "unit": "of SI; describes the number and converts nothing",
-    "variability": "tunable: may change during a run",
-    "interpolation": "between communication points: hold, ramp to the next value, or move smoothly",
-    "limit": "beyond min and max: an error, or clip to the limit",
-    "x": "first coordinates of the given points, increasing",
-    "y": "second coordinates of the given points",
-    "periodic": "whether it repeats; its period is the distance of its ends",
-    "integrate": "whether the function is the integral of the curve, from the first x on",
-    "fixed": "whether it is held in its place",
-    "point": "name of a point, or of a point of a body such as arm.tip",
-    "points": "names of two points, or of points of bodies such as arm.tip",
-    "body": "name of a body",
-    "bodies": "names of two bodies; one may be ground",
-    "joint": "name of a joint",
-    "joints": "names of two joints",
-    "profile": "name of a profile",
-    "axes": "an axis of each body",
-    "law": "rigid, or how the force grows with the penetration",
-    "side": "on which side of the surface it stays",
-}
-"""Descriptions of fields whose kind has none, by their names."""
 
 
 def schema_of(part: type[Part]) -> dict[str, Any]:

@@ -8,11 +8,24 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from solver.scene import fields as kind
+from solver.scene.actuators import Actuator
 from solver.scene.expression import ExpressionError, Number, Vector, evaluate
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.mistakes import Path
-from solver.scene.quantities import Offer
-from solver.scene.rules import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
+from solver.scene.quantities import POWER, Offer
+from solver.scene.rules import (
+    ANGLE,
+    ELONGATION,
+    FORCE,
+    LENGTH,
+    LOAD,
+    NOT_NEGATIVE,
+    POSITIVE,
+    POTENTIAL,
+    PROPERTY,
+    RATE,
+    Place,
+)
 from solver.scene.words import a
 
 if TYPE_CHECKING:
@@ -23,6 +36,7 @@ Ends: TypeAlias = tuple[PointReference, PointReference]
 _ON_A_LINE = (
     Offer("length", "m", "length of {name}"),
     Offer("force", "N", "force in {name}, positive in tension: it pulls its ends together"),
+    POWER,
 )
 _AGAINST = Offer(
     "torque",
@@ -31,7 +45,7 @@ _AGAINST = Offer(
 )
 _AXES = kind.Choice(text="axes of the components", words=("global", "body"))
 _JOINT = kind.joint_with("angle", "bearing")
-_ELONGATION, _ANGLE = Place(own=("elongation", "length")), Place(own=("angle",))
+_ELONGATION, _ANGLE = Place(own=(ELONGATION, LENGTH)), Place(own=(ANGLE,))
 _NEAR = 1e-6
 """Elongation in m, or angle in rad, at which the sign of a law is looked at."""
 
@@ -56,7 +70,7 @@ class Spring(Part):
     """Positive in tension, an expression in ``elongation`` (m), length less free length."""
     free_length: Annotated[Number | None, _quantity("m", text="as drawn unless given")] = None
     energy: Annotated[
-        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=("length",)))
+        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=(LENGTH,)))
     ] = None
     """Stored energy, an expression in the symbol ``length`` (m)."""
 
@@ -77,7 +91,7 @@ class Spring(Part):
             message = "the energy already defines the free length of the spring"
             draft.error((*path, "free_length"), message, "leave it out")
         what = "the length of the spring in m"
-        _check_mention(reader, energy, given.energy, ("length",), what, "50*(length - 1)**2")
+        _check_mention(reader, energy, given.energy, (LENGTH,), what, "50*(length - 1)**2")
         what = "length - free_length in m"
         words = "elongation", "length"
         _check_law(reader, (*path, "force"), given.force, words, what, "is longer")
@@ -114,7 +128,7 @@ def _check_law(
 
 
 def _law_of_rate(unit: str, word: str) -> kind.Quantity:
-    place = Place(time=True, levels=("position", "rate"), own=("rate", word))
+    place = Place(time=True, levels=("position", "rate"), own=(RATE, word))
     return kind.Quantity(unit, f"an expression in `rate`, and perhaps `{word}`", place=place)
 
 
@@ -127,7 +141,7 @@ def _check_damper(reader: "Reader", path: Path, given: Any, field: str, example:
     elif given.damping is not None and law is not None:
         message = f"a damper has a damping or a {field}, not both"
         draft.error((*path, field), message, "leave out one of them")
-    elif law not in (None, BROKEN) and "rate" not in {x.name for x in law.mentions}:
+    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions}:
         help = f'such as "{example}"'
         draft.error((*path, field), "mentions no 'rate', the rate of the damper", help)
 
@@ -142,7 +156,7 @@ class Damper(Part):
     points: Annotated[Ends, kind.TWO_ENDS]
     damping: Annotated[Number | None, _quantity("N.s/m", 1.0)] = None
     """None where `force` is given."""
-    force: Annotated[Number | None, _law_of_rate("N", "length")] = None
+    force: Annotated[Number | None, _law_of_rate("N", LENGTH)] = None
     """In the symbols ``rate`` (m/s, positive as it lengthens) and ``length`` (m)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
@@ -159,7 +173,7 @@ class TorsionSpring(Part):
     """A torsion spring at a joint that has an angle: linear, or with a torque of the angle."""
 
     type = "torsion_spring"
-    offers = (_AGAINST,)
+    offers = (_AGAINST, POWER)
 
     joint: Annotated[str, _JOINT]
     stiffness: Annotated[Number | None, _quantity("N.m/rad", 10.0)] = None
@@ -189,12 +203,12 @@ class TorsionDamper(Part):
     """A torsion damper at a joint that has an angle: linear, or with a law of its rate."""
 
     type = "torsion_damper"
-    offers = (_AGAINST,)
+    offers = (_AGAINST, POWER)
 
     joint: Annotated[str, _JOINT]
     damping: Annotated[Number | None, _quantity("N.m.s/rad", 1.0)] = None
     """None where `torque` is given."""
-    torque: Annotated[Number | None, _law_of_rate("N.m", "angle")] = None
+    torque: Annotated[Number | None, _law_of_rate("N.m", ANGLE)] = None
     """In the symbols ``rate`` (rad/s) and ``angle`` (rad)."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
@@ -209,7 +223,8 @@ class JointTorque(Part):
     type = "joint_torque"
     offers = (
         Offer("torque", "N.m", "torque of {name}, positive along the angle of {part.joint}"),
-    )  # fmt: skip
+        POWER,
+    )
 
     joint: Annotated[str, _JOINT]
     value: Annotated[Number, kind.Quantity("N.m", place=LOAD, example=1.0)]
@@ -220,6 +235,7 @@ class Force(Part):
     """A force on a point, in global or body axes."""
 
     type = "force"
+    offers = (POWER,)
 
     point: Annotated[PointReference, kind.ONE_END]
     value: Annotated[Vector, kind.Components("N", place=LOAD, example=[0, 0, 1])]
@@ -255,6 +271,7 @@ class Torque(Part):
     """A torque on a body."""
 
     type = "torque"
+    offers = (POWER,)
 
     body: Annotated[str, kind.Plain(example="crank")]
     value: Annotated[
@@ -281,7 +298,7 @@ class Potential(Part):
     """A potential energy, an expression over positions of the mechanism."""
 
     type = "potential"
-    offers = (Offer("energy", "J", "energy of {name}"),)
+    offers = (Offer("energy", "J", "energy of {name}"), POWER)
 
     value: Annotated[Number, kind.Quantity("J", place=POTENTIAL, example="2.0*A.x**2")]
 
@@ -349,7 +366,7 @@ FORCES: dict[str, type[Part]] = {
     force.type: force
     for force in (
         *(Spring, Damper, TorsionSpring, TorsionDamper, Force, Torque, JointTorque, Potential),
-        Gravitation,
+        *(Gravitation, Actuator),
     )
 }
 """Types of forces."""

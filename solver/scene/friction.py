@@ -17,6 +17,7 @@ ALONG = (
     Offer("friction", "N", "friction of {name} on the motion of its second body"),
     Offer("slip", "m/s", "slip rate of {name}"),
     Offer("friction_mode", "1", "of {name}: 1 while friction holds it, 2 while it slides"),
+    Offer("power", "W", "power of the friction of {name}, never positive", on_demand=True),
 )
 """Of a joint that slides; of a cylindrical one the sizes."""
 ABOUT = turning(ALONG)
@@ -61,7 +62,9 @@ class JointFriction(Part):
     """None of a prismatic joint."""
     preload: Annotated[
         Number,
-        kind.Quantity("", "N.m where the joint turns, N where it slides", NOT_NEGATIVE, PROPERTY),
+        kind.Quantity(
+            "N.m or N", "N.m where the joint turns, N where it slides", NOT_NEGATIVE, PROPERTY
+        ),
     ] = 0.0
     smooth_speed: Annotated[
         Number | None, kind.Quantity("rad/s or m/s", SMOOTH_SPEED, POSITIVE, PROPERTY, example=0.01)
@@ -76,7 +79,9 @@ class JointFriction(Part):
         check_sticking(reader, self, given, (*path, "static"), "coefficient")
 
 
-def _with_radius(needed: bool) -> kind.Reading:
+def _with_radius(needed: bool, units: tuple[str, str]) -> kind.Reading:
+    """Return the reading of a joint's friction; `units` are of its preload and slip."""
+
     def read(reader: "Reader", path: Path, value: Any, _: Any) -> JointFriction | None:
         if value is BROKEN:
             return None
@@ -87,13 +92,22 @@ def _with_radius(needed: bool) -> kind.Reading:
         elif needed and part.radius is None:
             message = "'radius' is missing: the arm of the friction"
             reader.draft.error(path, message, "write radius = 0.01")
+        for field, unit in (("preload", units[0]), ("smooth_speed", units[1])):
+            reader.in_unit((*path, field), getattr(part, field), unit)
         return JointFriction.read(reader, path, part)
 
     return read
 
 
 _TEXT = "{ coefficient, radius, preload, static, smooth_speed } of Coulomb's friction"
-FRICTION = kind.Table(text=_TEXT, parts=(JointFriction,), reading=_with_radius(True))
+_TURNS, _SLIDES = ("N.m", "rad/s"), ("N", "m/s")
+"""Units of preload and slip."""
+FRICTION = kind.Table(text=_TEXT, parts=(JointFriction,), reading=_with_radius(True, _TURNS))
+FRICTION_ON_A_JOURNAL = kind.Table(
+    text=_TEXT, parts=(JointFriction,), reading=_with_radius(True, _SLIDES)
+)
 FRICTION_ALONG = kind.Table(
-    text=_TEXT.replace(" radius,", ""), parts=(JointFriction,), reading=_with_radius(False)
+    text=_TEXT.replace(" radius,", ""),
+    parts=(JointFriction,),
+    reading=_with_radius(False, _SLIDES),
 )

@@ -24,6 +24,7 @@ from solver.scene.expression import (
     operate,
     symbol,
 )
+from solver.scene.substitution import in_one_line, put_texts_for_names
 
 CONSTANTS = {"pi": 3.141592653589793}
 
@@ -66,6 +67,8 @@ class Mention:
     name: str
     column: int
     role: Literal["symbol", "function", "part"] = "symbol"
+    within: tuple[str, ...] = ()
+    """Named expressions that stand for it in the text, the outermost first."""
 
 
 class ParsedNumber(NamedTuple):
@@ -75,6 +78,10 @@ class ParsedNumber(NamedTuple):
     """As it stands in the file."""
     number: Number
     mentions: tuple[Mention, ...] = ()
+    named: frozenset[str] = frozenset()
+    """Named expressions whose texts stand in it."""
+    unit: str = ""
+    """Unit that the file writes behind the number, which is in SI here."""
 
     @property
     def text(self) -> str:
@@ -84,7 +91,7 @@ class ParsedNumber(NamedTuple):
     @property
     def is_constant(self) -> bool:
         """Whether it is a plain number, which may stand anywhere."""
-        return not self.mentions and isinstance(self.number, float)
+        return not self.mentions and not self.named and isinstance(self.number, float)
 
 
 def parse(text: str) -> Number:
@@ -98,26 +105,39 @@ def parse(text: str) -> Number:
     return read(text).number
 
 
-def read(text: str, profiles: Mapping[str, Curve] | None = None) -> ParsedNumber:
-    """Read an expression, which may call `profiles`, and note every name; raises like ``parse``."""
-    stripped = re.sub(r"\s", " ", text).strip()
+def read(
+    text: str,
+    profiles: Mapping[str, Curve] | None = None,
+    expressions: Mapping[str, str] | None = None,
+) -> ParsedNumber:
+    """Read an expression, which may call `profiles`, and note every name; raises like ``parse``.
+
+    Names of `expressions` stand for their texts, in brackets.
+    """
+    stripped = in_one_line(text)
     if not stripped or "\0" in stripped or not is_readable(stripped):
         message = "not a readable text" if stripped else "empty expression"
         raise ExpressionError(message, 1)
     translator = _Translator(stripped, len(text) - len(text.lstrip()), profiles or {})
+    translator.texts = expressions or {}
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # Python's remarks on style, such as '1if x else 2'
             tree = ast.parse(stripped, mode="eval")
-        if len(stripped) > MOST_NESTED and not _is_of_size(tree.body):
+            if expressions:
+                put_texts_for_names(tree, expressions, translator.within)
+        if (len(stripped) > MOST_NESTED or translator.within) and not _is_of_size(tree.body):
             raise RecursionError
         number = translator.number(tree.body)
     except SyntaxError as error:
         column = translator.indent + min(error.offset or len(stripped) + 1, len(stripped) + 1)
         raise ExpressionError(_plain(error.msg), column) from None
     except (RecursionError, MemoryError):
-        raise ExpressionError(_TOO_LARGE, 1, "split it into several parameters") from None
-    return ParsedNumber(text, number, tuple(translator.mentions))
+        with_them = "with the expressions that it mentions, " if translator.within else ""
+        message = f"{with_them}{_TOO_LARGE}"
+        raise ExpressionError(message, 1, "split it into several parameters") from None
+    named = frozenset(name for names in translator.within.values() for name in names)
+    return ParsedNumber(text, number, tuple(translator.mentions), named)
 
 
 def is_readable(text: str) -> bool:
@@ -165,7 +185,7 @@ def _plain(message: str) -> str:
     if message.startswith("Exceeds the limit"):
         return "number larger than any floating-point number"
     if message.startswith("invalid decimal literal"):
-        return "a number with letters behind it; a unit is not written here"
+        return "a number with letters behind it, which are no unit that is known here"
     return re.split(r"[.;] |\. Did", message)[0]
 
 
@@ -176,6 +196,9 @@ class _Translator:
         self.text = text
         self.indent = indent
         self.profiles = profiles
+        self.texts: Mapping[str, str] = {}
+        self.within: dict[ast.expr, tuple[str, ...]] = {}
+        """In which named expressions nodes are that stand in the place of their names."""
         self.mentions: list[Mention] = []
 
     def number(self, node: ast.expr) -> Number:
@@ -245,7 +268,7 @@ class _Translator:
         name = self.name(node)
         if name in CONSTANTS:
             return CONSTANTS[name]
-        self.mentions.append(Mention(name, self.column(node)))
+        self.mention(node, name)
         return symbol(name)
 
     def operate(self, node: ast.AST, op: str, *operands: ast.expr) -> Number:
@@ -294,6 +317,8 @@ class _Translator:
             close = get_close_matches(name, known, 1)
             help = f"did you mean '{close[0]}'? " if close else ""
             help += f"functions: {', '.join(known)}"
+            if name in self.texts:
+                help = f"'{name}' is an expression: write {name} without brackets"
             raise self.error(node, f"unknown function '{name}'", help)
         count, wanted = len(node.args), known[name]
         many = name in ("min", "max")
@@ -305,7 +330,13 @@ class _Translator:
         if name in self.profiles:
             return self.combine(node, "spline", [self.number(node.args[0]), self.profiles[name]])
         parts = [self.name(part) for part in node.args]
-        columns = [self.column(part) for part in node.args]
-        self.mentions.append(Mention(name, self.column(node), "function"))
-        self.mentions += [Mention(p, c, "part") for p, c in zip(parts, columns, strict=True)]
+        self.mention(node, name, "function")
+        for part, argument in zip(parts, node.args, strict=True):
+            self.mention(argument, part, "part")
         return Expr("call", (name, *parts))
+
+    def mention(
+        self, node: ast.expr, name: str, role: Literal["symbol", "function", "part"] = "symbol"
+    ) -> None:
+        """Note a name that stands in the text, or in that of a named expression."""
+        self.mentions.append(Mention(name, self.column(node), role, self.within.get(node, ())))

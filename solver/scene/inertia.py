@@ -6,7 +6,7 @@ the sum of the other two; equality is a slender or flat body, zero a point.
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from solver.scene.expression import Number, Vector
@@ -23,6 +23,7 @@ from solver.scene.principal_moments import (
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE
 
 if TYPE_CHECKING:
+    from solver.scene.draft import Draft
     from solver.scene.references import Reader
 
 Inertia: TypeAlias = Number | tuple[Vector, Vector, Vector]
@@ -36,8 +37,18 @@ _INNER = Quantity("m", rule=NOT_NEGATIVE)
 _LENGTH = Quantity("m", rule=POSITIVE, example=1.0)
 
 
+class _Density(Quantity):
+    """A density: of an area in the plane, where the shape is one in space."""
+
+    def parse(self, draft: "Draft", path: Path, value: Any, unit: str = "") -> Any:
+        """Read a number, whose unit depends on the dimension."""
+        in_plane = draft.dimension == 2 and self.unit == "kg/m3"
+        own = replace(self, unit="kg/m2") if in_plane else self
+        return Quantity.parse(own, draft, path, value, unit)
+
+
 def _density(unit: str, text: str = "") -> Quantity:
-    return Quantity(unit, text, POSITIVE)
+    return _Density(unit, text, POSITIVE)
 
 
 class Shape(Part):

@@ -30,7 +30,14 @@ from solver.scene.couplings import (
 )
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import Part
-from solver.scene.friction import ABOUT, ALONG, FRICTION, FRICTION_ALONG, JointFriction
+from solver.scene.friction import (
+    ABOUT,
+    ALONG,
+    FRICTION,
+    FRICTION_ALONG,
+    FRICTION_ON_A_JOURNAL,
+    JointFriction,
+)
 from solver.scene.joint_springs import (
     DAMPING_ABOUT,
     DAMPING_ALONG,
@@ -48,7 +55,7 @@ from solver.scene.joint_springs import (
     given_fields,
 )
 from solver.scene.mistakes import Path
-from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, Offer
+from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, Offer, angular_acceleration
 from solver.scene.rules import NOT_ZERO
 
 if TYPE_CHECKING:
@@ -57,10 +64,12 @@ if TYPE_CHECKING:
 ANGLE = (
     Offer("angle", "rad", "angle of {name}, zero as drawn, unwrapped", "position"),
     Offer("angular_velocity", "rad/s", "angular velocity of {name}", "rate"),
+    angular_acceleration(),
 )
 DISPLACEMENT = (
     Offer("displacement", "m", "displacement of {name}, zero as drawn", "position"),
     Offer("velocity", "m/s", "velocity along {name}", "rate"),
+    Offer("acceleration", "m/s2", "acceleration along {name}", "acceleration", on_demand=True),
 )
 _TORQUE_TEXT = "torque of {name} on its second body, about the joint's place, {axis} component"
 TORQUE = Offer("torque.{}", "N.m", _TORQUE_TEXT, axes=ROTATION)
@@ -279,7 +288,7 @@ class Cylindrical(BodyJoint):
     only_in = (3, "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot")
 
     axis: Annotated[Vector | None, AXIS] = None
-    friction: Annotated[JointFriction | None, FRICTION] = None
+    friction: Annotated[JointFriction | None, FRICTION_ON_A_JOURNAL] = None
     stiffness: Annotated[Number | None, STIFFNESS_OF] = None
     damping: Annotated[Number | None, DAMPING_OF] = None
     of: Annotated[Literal["angle", "displacement"] | None, OF] = None
@@ -336,7 +345,7 @@ class Screw(BodyJoint):
     only_in = (3, "in the plane write 'rack'")
 
     axis: Annotated[Vector | None, AXIS] = None
-    pitch: Annotated[Number, kind.Quantity("m per turn", rule=NOT_ZERO, example=0.005)]
+    pitch: Annotated[Number, kind.Quantity("m", "per turn", rule=NOT_ZERO, example=0.005)]
     """Advance of the second body."""
     stiffness: Annotated[Number | None, STIFFNESS_OF] = None
     damping: Annotated[Number | None, DAMPING_OF] = None

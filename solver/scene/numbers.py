@@ -25,7 +25,7 @@ from solver.scene.grammar import Mention, ParsedNumber
 from solver.scene.mistakes import Path
 from solver.scene.quantities import Level, Offer, quantities
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
-from solver.scene.units import in_si
+from solver.scene.units import misfit, remedy, symbol_help
 from solver.scene.words import a, did_you_mean, nearest
 
 if TYPE_CHECKING:
@@ -56,6 +56,8 @@ class Known:
     """Default values of the parameters that have one."""
     uses: dict[str, list[Path]] = field(default_factory=dict)
     """Where each name stands in an expression."""
+    reported: set[str] = field(default_factory=set)
+    """Named expressions that mention what no place knows."""
 
     @cached_property
     def quantities(self) -> Mapping[str, Level]:
@@ -100,7 +102,8 @@ class NumberChecks:
             self.draft.error(path, f"must be at most {LARGEST_NUMBER:g} in size, got {value:.6g}")
         elif value is not None and rule is not None and not rule.holds(value):
             unit = f" {unit}" if unit else ""
-            how = "" if isinstance(parsed.number, float) else f" (= {parsed.text})"
+            is_plain = isinstance(parsed.number, float) and not parsed.unit
+            how = "" if is_plain else f" (= {parsed.text})"
             self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}", rule.help)
         return parsed.number
 
@@ -112,9 +115,15 @@ class NumberChecks:
 
     def advise_radians(self, path: Path, parsed: Any, value: float) -> None:
         """Warn of an angle in rad of more than a turn."""
-        if abs(turns := value / (2.0 * math.pi)) > 1.0 and "pi" not in parsed.text:
-            help = f'if these are degrees, write "{value:.12g}*pi/180"'
+        is_plain = "pi" not in parsed.text and not parsed.unit
+        if abs(turns := value / (2.0 * math.pi)) > 1.0 and is_plain:
+            help = f'if these are degrees, write "{value:.12g} deg"'
             self.draft.warn(path, f"is {value:.6g} rad, {turns:.3g} turns", help)
+
+    def in_unit(self, path: Path, parsed: Any, unit: str) -> None:
+        """Report a literal whose unit is not this one, where the kind of its field allows more."""
+        if parsed not in (None, BROKEN) and parsed.unit and (words := misfit(parsed.unit, unit)):
+            self.draft.error(path, f"is {parsed.text}, {words}", remedy(unit))
 
     def constant(
         self,
@@ -158,13 +167,21 @@ class NumberChecks:
     def mentions_are_allowed(self, path: Path, parsed: ParsedNumber, place: Place) -> bool:
         """Report every name in an expression that is unknown or out of place."""
         fine = True
+        for name in sorted(parsed.named & {*place.own}):
+            fine = False
+            self.draft.error(path, *_own_and(name, "expression"))
         for mention in parsed.mentions:
+            if not self.known.reported.isdisjoint(mention.within):
+                fine = False
+                continue
             self.known.uses.setdefault(mention.name, []).append(path)
             judge = self._symbol if mention.role == "symbol" else self._call
             verdict = judge(mention, place)
             if verdict is not None:
-                fine = False
-                self.draft.error(path, *verdict, (parsed.text, mention.column))
+                fine, (message, help) = False, verdict
+                if mention.within:
+                    message += f" (in the expression '{_OF.join(mention.within[::-1])}')"
+                self.draft.error(path, message, help, (parsed.text, mention.column))
         return fine
 
     def value(self, number: Number) -> float | None:
@@ -185,8 +202,7 @@ class NumberChecks:
         if name in place.own:
             if kind is None:
                 return None
-            message = f"'{name}' has a meaning of its own here, and is the name of {a(kind)}"
-            return message, f"rename the {kind}"
+            return _own_and(name, kind)
         if kind == "parameter":
             return self._parameter(name, place)
         if name == "t" or kind == "input":
@@ -211,6 +227,9 @@ class NumberChecks:
             return f"'{name}' is a velocity, and only positions are possible here", None
         words = "positions and velocities" if "rate" in place.levels else "positions"
         help = f"here the {words} of points and joints are possible"
+        if level == "acceleration":
+            message = f"'{name}' is an acceleration, which follows from all forces and constraints"
+            return f"{message}: it is possible only in outputs", help
         return f"'{name}' is possible only in outputs", help
 
     def _parameter(self, name: str, place: Place) -> tuple[str, str | None] | None:
@@ -234,13 +253,13 @@ class NumberChecks:
         if kind is not None:
             help = f"write {name}(...)" if kind == "profile" else None
             return f"'{name}' is {a(kind)}, not a number", help
-        parameters = self.known.of("parameter") if place.parameters else []
-        words = [*place.own, *(other for other in parameters if other != place.of)]
+        kinds = ("parameter", "expression") if place.parameters else ()
+        words = [*place.own, *(other for other in self.known.of(*kinds) if other != place.of)]
         if place.time:
             words += ["t", *self.known.of("input")]
         words += sorted(possible)
         is_near = nearest(name, words) is not None
-        unit = in_si(f"1 {name}") if len(name) > 1 and not is_near else None
+        unit = symbol_help(name) if len(name) > 1 and not is_near else None
         return f"unknown symbol '{name}'", unit or did_you_mean(name, words)
 
     def _unknown_of(self, name: str, owner: str, possible: list[str]) -> tuple[str, str | None]:
@@ -334,7 +353,14 @@ class NumberChecks:
         return otherwise
 
 
+_OF = "' of '"
 _ELSEWHERE = "is possible only in outputs, in constraints and in the values of forces and torques"
+
+
+def _own_and(name: str, kind: str) -> tuple[str, str]:
+    """Judge a symbol of a place that is the name of something else too."""
+    message = f"'{name}' has a meaning of its own here, and is the name of {a(kind)}"
+    return message, f"rename the {kind}"
 
 
 def unknown_end(known: Known, name: str, *, ground: bool = False) -> tuple[str, str | None] | None:

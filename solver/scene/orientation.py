@@ -45,7 +45,7 @@ class Orientation(Part):
 class InBodyAxes(Part):
     """A vector in the axes of the body."""
 
-    body: Annotated[Any, kind.Components(example=[0, 0, 1])]
+    body: Annotated[Any, kind.Components("rad/s", example=[0, 0, 1])]
 
 
 def read_orientation(reader: "Reader", path: Path, given: Any) -> Number | Matrix:

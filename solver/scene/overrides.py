@@ -14,6 +14,7 @@ from solver.scene.fields import fields_of, shown
 from solver.scene.grammar import is_readable
 from solver.scene.mistakes import Given, Path, Problem, location_of, path_of
 from solver.scene.scene import HEADING, NOUNS, TABLES
+from solver.scene.units import literal, si_unit
 from solver.scene.words import did_you_mean, nearest
 
 if sys.version_info >= (3, 11):
@@ -22,6 +23,8 @@ else:
     import tomli as tomllib
 
 
+_BY_NAME = {"parameters": "value", "inputs": "start", "expressions": "value"}
+"""Tables whose parts an override means by their names alone, and the field that it replaces."""
 SECTIONS = {name: table.types[0] for name, table in TABLES.items() if name not in NOUNS}
 """Tables whose fields are the same in all scenes."""
 
@@ -49,7 +52,7 @@ def apply_overrides(
         path = _target(data, path_of(name))
         if not is_readable(text):
             problems.append(Problem("", "not a readable text", override=where))
-        elif path is None or not _replace(data, path, value):
+        elif path is None or not _replace(data, path, _with_units(data, path, value)):
             tables = [table for table, part in SECTIONS.items() if name in fields_of(part)]
             meant = " or ".join(f"'{table}.{name}'" for table in sorted(tables, reverse=True))
             given_names, possible = _known(data, whole=False), _known(data, whole=True)
@@ -82,17 +85,37 @@ def _target(data: dict[str, Any], path: Path) -> Path | None:
     if not path:
         return None
     if len(path) == 1:
-        for table, field in (("parameters", "value"), ("inputs", "start")):
+        for table, field in _BY_NAME.items():
             parts = data.get(table)
             if isinstance(parts, dict) and path[0] in parts:
                 whole = not isinstance(parts[path[0]], dict)
                 return (table, path[0]) if whole else (table, path[0], field)
         return path if path[0] in HEADING else None
-    if len(path) == 2 and path[0] in ("parameters", "inputs"):
+    if len(path) == 2 and path[0] in _BY_NAME:
         return _target({path[0]: data.get(str(path[0]))}, path[1:])
     if path[0] in SECTIONS:
         data.setdefault(str(path[0]), {})
     return path
+
+
+def _with_units(data: dict[str, Any], path: Path, value: object) -> object:
+    """Let a parameter or input keep the units that its literal gave it, under a plain number."""
+    if path[0] not in ("parameters", "inputs") or type(value) not in (int, float):
+        return value
+    table = data.get(path[0])
+    part = table.get(path[1]) if isinstance(table, dict) else None
+    is_short = not isinstance(part, dict)
+    before = part if is_short else part.get(path[-1])
+    found = literal(before) if isinstance(before, str) else None
+    if found is None or (len(path) == 3 and path[2] != _BY_NAME[path[0]]):
+        return value
+    units = {"unit": si_unit(found.unit)}
+    if found.unit != units["unit"]:
+        units["display_unit"] = found.unit
+    if is_short:
+        return {"value": value, **units}
+    part |= units | part
+    return value
 
 
 def _replace(data: Any, path: Path, value: object) -> bool:
@@ -114,7 +137,7 @@ def _replace(data: Any, path: Path, value: object) -> bool:
 def _known(data: dict[str, Any], *, whole: bool) -> list[str]:
     """Every name an override may have in this scene; without `whole` of what the file gives."""
     names = []
-    for table in ("parameters", "inputs"):
+    for table in _BY_NAME:
         parts = data.get(table)
         names += list(parts) if isinstance(parts, dict) else []
     if whole:
@@ -123,7 +146,7 @@ def _known(data: dict[str, Any], *, whole: bool) -> list[str]:
             location_of((x, field)) for x, part in SECTIONS.items() for field in fields_of(part)
         ]
     for table, parts in data.items():
-        listed = ("parameters", "inputs", *(SECTIONS if whole else ()))
+        listed = (*_BY_NAME, *(SECTIONS if whole else ()))
         if not isinstance(parts, dict) or table in listed:
             continue
         for name, part in parts.items():

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from graphlib import CycleError, TopologicalSorter
+from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
@@ -10,19 +11,66 @@ from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
 from solver.scene.mistakes import Path
 from solver.scene.rules import PARAMETER
-from solver.scene.units import not_of_si, spelled
+from solver.scene.units import base_unit, misfit, not_of_si, offset_of, respelled, si_unit, spelled
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft
     from solver.scene.references import Reader
 
 
-def _unit(reader: "Reader", path: Path, unit: Any, _: Any) -> Any:
+def _unit(reader: "Reader", path: Path, unit: Any, given: Any) -> Any:
     """Report a unit that is not of SI, as nothing would convert the number; write it as FMI."""
     message, help = not_of_si(unit) if isinstance(unit, str) else ("", "")
     if message:
+        if hasattr(given, "display_unit") and base_unit(unit) and not offset_of(unit):
+            help += f'; display_unit = "{spelled(unit)}" shows it so'
         reader.draft.error(path, message, help)
     return spelled(unit) if isinstance(unit, str) and not message else unit
+
+
+def _display_unit(reader: "Reader", path: Path, unit: Any, _: Any) -> Any:
+    """Report a display unit that is none, or that counts from another zero."""
+    if not isinstance(unit, str):
+        return unit
+    if offset := offset_of(unit):
+        reader.draft.error(path, *offset)
+        return BROKEN
+    if base_unit(unit) is None:
+        meant = respelled(unit)
+        help = f"did you mean '{meant}'?" if meant else "write for instance mm, deg, rpm or kN"
+        reader.draft.error(path, f"there is no unit {unit!r}", help)
+        return BROKEN
+    return spelled(unit)
+
+
+def settle_units(reader: "Reader", path: Path, given: Any, values: dict[str, Any]) -> None:
+    """Hold units of literals against that of their part; where it has none, they give it.
+
+    The display unit, unless it is given, is that of the value's literal.
+    """
+    names = [name for name in ("value", "start", "min", "max") if hasattr(given, name)]
+    parsed = {name: getattr(given, name) for name in names}
+    units = {name: x.unit for name, x in parsed.items() if x not in (None, BROKEN) and x.unit}
+    shown = values.get("display_unit")
+    first = next(iter(units.values()), shown)
+    if not values.get("unit") and isinstance(first, str):
+        values["unit"] = si_unit(first)
+    unit = values.get("unit", "")
+    if unit is BROKEN or (unit and base_unit(unit) is None):
+        return
+    for name in units:
+        place = path if not isinstance(_data(reader, path), dict) else (*path, name)
+        reader.in_unit(place, parsed[name], unit)
+    if isinstance(shown, str):
+        if words := misfit(shown, unit):
+            help = f"the unit of {path[1]} is {unit or 'none'}"
+            reader.draft.error((*path, "display_unit"), f"is {shown}, {words}", help)
+    elif hasattr(given, "display_unit") and (own := units.get(names[0], unit)) != unit:
+        values["display_unit"] = own
+
+
+def _data(reader: "Reader", path: Path) -> Any:
+    return reader.draft.data[str(path[0])][path[1]]
 
 
 def _limit(reader: "Reader", path: Path, value: Any, _: Any) -> float | None:
@@ -55,16 +103,19 @@ def _default(reader: "Reader", path: Path, value: Any, given: Any) -> Number:
 
 
 UNIT, TEXT = kind.Plain(reading=_unit), kind.Plain()
+DISPLAY_UNIT = kind.Plain(example="mm", reading=_display_unit)
 _VALUE = "default; an expression of other parameters makes it a calculated parameter"
-_LEAST = kind.Quantity(text="least value that it may have", reading=_limit)
-_LARGEST = kind.Quantity(text="largest value that it may have", reading=_limit)
+_LEAST = kind.OfAnyUnit(text="least value that it may have", reading=_limit)
+_LARGEST = kind.OfAnyUnit(text="largest value that it may have", reading=_limit)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter(Part):
     """A number with a name, settable in the FMU."""
 
-    value: Annotated[Number, kind.Quantity(text=_VALUE, example=1.0, reading=_default)]
+    short = "value"
+
+    value: Annotated[Number, kind.OfAnyUnit(text=_VALUE, example=1.0, reading=_default)]
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
     min: Annotated[float | None, _LEAST] = None
@@ -73,11 +124,13 @@ class Parameter(Part):
         "fixed"
     )
     """A tunable one may change during a run. Calculated from a tunable one means tunable."""
+    display_unit: Annotated[str, DISPLAY_UNIT] = ""
 
     @classmethod
     def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
         """Check that the default value is within the limits."""
         name, values = str(path[1]), reader.fields(cls, path, given)
+        settle_units(reader, path, given, values)
         values["variability"] = "tunable" if name in reader.known.tunable else "fixed"
         parameter = cls(**values)
         if not _within_limits(reader, (*path, "value"), parameter, reader.known.values.get(name)):
@@ -89,7 +142,7 @@ class Parameter(Part):
 class Input(Part):
     """A number that arrives from outside at every communication step."""
 
-    start: Annotated[float, kind.setting(text="value until it is set")] = 0.0
+    start: Annotated[float, kind.setting(text="value until it is set", kind=kind.OfAnyUnit)] = 0.0
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
     min: Annotated[float | None, _LEAST] = None
@@ -101,6 +154,16 @@ class Input(Part):
     the value before to the new one, or a cubic to it whose rate does not jump."""
     limit: Annotated[Literal["refuse", "clip"], kind.Choice(words=("refuse", "clip"))] = "refuse"
     """What happens to a value beyond `min` or `max`: an error, or the limit instead."""
+    display_unit: Annotated[str, DISPLAY_UNIT] = ""
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Settle its unit."""
+        values = reader.fields(cls, path, given)
+        settle_units(reader, path, given, values)
+        part = cls(**values)
+        part.check(reader, path, given)
+        return part
 
     @property
     def told(self) -> str:
@@ -159,6 +222,11 @@ def _uses(given: Any) -> list[str]:
     return list(dict.fromkeys(mention.name for mention in given.value.mentions))
 
 
+def _between(given: Any, name: str) -> tuple[str, ...]:
+    """Named expressions by which a parameter's value mentions another parameter."""
+    return next(x.within for x in given.value.mentions if x.name == name)
+
+
 def _value_path(draft: "Draft", name: str) -> Path:
     """Place of a parameter's value, in the short form or in a table."""
     short = not isinstance(draft.data["parameters"][name], dict)
@@ -177,7 +245,9 @@ def _order(draft: "Draft", parts: Mapping[str, tuple[type[Part], Any]]) -> list[
         first = min(circle, key=list(parts).index)
         start = circle.index(first)
         names = [*circle[start:], *circle[:start], first]
-        message = f"calculated from itself: {' -> '.join(names)}"
+        steps = (_between(parts[x][1], y) for x, y in pairwise(names))
+        by_way = [name for x, step in zip(names, steps, strict=False) for name in (x, *step)]
+        message = f"calculated from itself: {' -> '.join([*by_way, first])}"
         draft.error(_value_path(draft, first), message)
         circular += circle
         uses = {

@@ -25,11 +25,12 @@ from solver.scene.expression import FUNCTIONS, Curve
 from solver.scene.fields import BROKEN, Part, shown
 from solver.scene.files import number, rows_of_table
 from solver.scene.mistakes import Path
+from solver.scene.units import misfit
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft
 
-_NUMBERS, _SWITCH = kind.ListOf(item=kind.Quantity(), example=[0, 0.5, 1]), kind.Plain(type=bool)
+_NUMBERS, _SWITCH = kind.ListOf(item=kind.OfAnyUnit(), example=[0, 0.5, 1]), kind.Plain(type=bool)
 _WORDS = ("cubic", "monotone", "linear")
 _BETWEEN = kind.Choice(
     text="between the points: cubic spline, cubic that does not overshoot, or straight lines",
@@ -145,6 +146,8 @@ def _points(draft: "Draft", path: Path, given: Any) -> Iterator[_Point]:
     file, x, y = given.file, given.x, given.y
     if BROKEN in (file, x, y):
         return
+    for word, numbers in (("x", x or ()), ("y", y or ())):
+        _have_one_unit(draft, (*path, word), numbers)
     if file is not None and x is None and y is None:
         yield from _points_of_file(draft, (*path, "file"), file)
     elif file is not None or x is None or y is None:
@@ -160,6 +163,15 @@ def _points(draft: "Draft", path: Path, given: Any) -> Iterator[_Point]:
                     message = f"must be a plain number, got '{reading.text}'"
                     draft.error((*path, word, i), message)
             yield _Point(point[0].number, point[1].number, (*path, "x", i))
+
+
+def _have_one_unit(draft: "Draft", path: Path, numbers: Sequence[Any]) -> None:
+    """Report a literal of another quantity than the first one of its list."""
+    first = next((x for x in numbers if x.unit), None)
+    for i, x in enumerate(numbers):
+        if first and x.unit and misfit(x.unit, first.unit):
+            message = f"is {x.text}, and '{first.text}' in the same list measures something else"
+            draft.error((*path, i), message, "write both in one unit")
 
 
 def _points_of_file(draft: "Draft", path: Path, file: str) -> Iterator[_Point]:

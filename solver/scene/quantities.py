@@ -12,8 +12,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias
 
-Level: TypeAlias = Literal["position", "rate", "result"]
-"""Of the drawn and moved configuration, of its velocities, or of the solution as a whole."""
+Level: TypeAlias = Literal["position", "rate", "acceleration", "result"]
+"""Of the drawn and moved configuration, of its velocities, of what all forces bring about, or of
+the solution as a whole."""
 
 Axes: TypeAlias = tuple[Sequence[str], Sequence[str]]
 """Axes of the components that a quantity has, in the plane and in space."""
@@ -45,6 +46,9 @@ class Offer:
     text: str
     level: Level = "result"
     axes: Axes = SCALAR
+    on_demand: bool = False
+    """Whether it is measured, and a variable, only where it is named: in formulas of outputs, among
+    the outputs of [fmu], in a plot, or by whoever assembles the scene."""
 
     def words(self, dimension: int) -> Iterator[tuple[str, str]]:
         """Axis and word of each component in a scene of this dimension."""
@@ -76,8 +80,25 @@ def quantities(
 MOTION = (
     Offer("{}", "m", "position of {name}, {axis} component", "position", VECTOR),
     Offer("v{}", "m/s", "velocity of {name}, {axis} component", "rate", VECTOR),
-)
+    Offer(
+        "a{}", "m/s2", "acceleration of {name}, {axis} component", "acceleration", VECTOR,
+        on_demand=True,
+    ),
+)  # fmt: skip
 """Of a place."""
+
+
+def angular_acceleration(axes: Axes = SCALAR) -> Offer:
+    """Return what a body or joint with one angle offers."""
+    text = "angular acceleration of {name}"
+    return Offer("angular_acceleration", "rad/s2", text, "acceleration", axes, on_demand=True)
+
+
+POWER = Offer(
+    "power", "W", "power of {name}: positive while it gives energy to the mechanism",
+    on_demand=True,
+)  # fmt: skip
+"""Of a force."""
 
 
 def _results(unit: str, texts: Mapping[str, str]) -> tuple[Offer, ...]:

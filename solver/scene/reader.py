@@ -136,19 +136,21 @@ def read_text(text: str, name: str, notation: str, overrides: Mapping[str, objec
 
 def _build(draft: Draft) -> Scene:
     """Check a draft and turn it into a scene; the draft collects the mistakes."""
-    heading = _heading(draft)
     check_names(draft)
     profiles = read_profiles(draft)
+    named = draft.parts("expressions")
+    heading = _heading(draft)
     drawn = {table: draft.parts(table) for table in ("points", "bodies")}
     _forgotten_dimension(draft, drawn, heading.gravity)
     known = known_names(draft)
     check_body_points(draft, known)
     reader = Reader(draft, known, profiles)
+    reader.read("expressions", named)
     read_parameters(reader)
     reader.read("inputs")
     for table in ("points", "bodies"):
         reader.read(table, drawn[table])
-    for table in ("joints", "constraints", "contacts", "forces", "drivers"):
+    for table in ("joints", "constraints", "contacts", "forces", "drivers", "sensors"):
         reader.read(table)
     _something_moves(draft, reader.parts["points"])
     _free_points_have_mass(draft, drawn["points"], reader.parts)

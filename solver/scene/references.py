@@ -174,6 +174,8 @@ class Reader(Places):
             message = f"the bar '{name}' has no axes in space"
             meets = "clearance" if path[0] == "contacts" else "spherical"
             help = f'join one of its points: type = "{meets}" with points = [...]'
+            if path[0] == "sensors":
+                help = "name one of its points: points = [...]"
         elif name in self.known.ends and "." in name:
             body = name.partition(".")[0]
             message, help = f"'{name}' is a point of a body, not a body", f"write '{body}'"

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 from solver.scene.positions import Path, spans_of
+from solver.scene.units import literal
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -79,7 +80,9 @@ def value_of(written: str, notation: str) -> Any:
 
 
 def less(given: float | str, number: float) -> float | str:
-    """Return a number or a formula less a number."""
+    """Return a number, with a unit or without, or a formula less a number."""
+    found = literal(given) if isinstance(given, str) else None
+    given = found.value if found else given
     if not isinstance(given, str):
         return float(given) - number
     return f"({given}) {'+' if number < 0.0 else '-'} {abs(number)!r}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from solver.scene.quantities import Level
@@ -24,6 +24,9 @@ class Place:
     """The parameter that is being defined; it is not suggested for its own value."""
 
 
+COORDINATES, LENGTH, ANGLE, RATE = ("x", "y", "z"), "length", "angle", "rate"
+ELONGATION, MOTOR_SPEED = "elongation", "motor_speed"
+"""Symbols of single places: of a point on a surface, of springs and dampers."""
 SETTING = Place(parameters=False, tunable=False)
 PARAMETER = PROPERTY = Place()
 GEOMETRY = Place(tunable=False)
@@ -31,7 +34,9 @@ FORCE = DRIVER = Place(time=True)
 LOAD = VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
 POTENTIAL = Place(levels=("position",))
 CONSTRAINT = Place(time=True, levels=("position",))
-OUTPUT = Place(time=True, levels=("position", "rate", "result"))
+OUTPUT = Place(time=True, levels=("position", "rate", "acceleration", "result"))
+ANYWHERE = replace(OUTPUT, own=(*COORDINATES, LENGTH, ELONGATION, ANGLE, RATE, MOTOR_SPEED))
+"""All that some place allows; a named expression is held against each place that uses it."""
 
 
 @dataclass(frozen=True, slots=True)

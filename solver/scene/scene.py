@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from graphlib import TopologicalSorter
-from typing import Annotated, Any, Literal, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NoReturn
 
 from solver.scene import fields as kind
 from solver.scene.bodies import BODIES, Body, Point
@@ -22,13 +22,18 @@ from solver.scene.forces import FORCES
 from solver.scene.joints import JOINTS
 from solver.scene.looks import LOOKS, View
 from solver.scene.meshes import MESHES
-from solver.scene.mistakes import Problem, SceneError, Source
-from solver.scene.parameters import TEXT, UNIT, Input, Parameter
+from solver.scene.mistakes import Path, Problem, SceneError, Source
+from solver.scene.named_expressions import Expression
+from solver.scene.parameters import DISPLAY_UNIT, TEXT, UNIT, Input, Parameter, settle_units
 from solver.scene.profiles import Profile
 from solver.scene.rules import OUTPUT
+from solver.scene.sensors import SENSORS
 from solver.scene.settings import Experiment, Ports, SolverSettings
 from solver.scene.shapes import SHAPES
 from solver.scene.surfaces import SURFACES
+
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 """What a name looks like."""
@@ -40,9 +45,17 @@ LONGEST = 200
 class Output(Part):
     """An expression over the mechanism, computed at every communication point."""
 
-    value: Annotated[Number, kind.Quantity(text="of the mechanism", place=OUTPUT, example="A.x")]
+    value: Annotated[Number, kind.OfAnyUnit(text="of the mechanism", place=OUTPUT, example="A.x")]
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
+    display_unit: Annotated[str, DISPLAY_UNIT] = ""
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Settle its unit."""
+        values = reader.fields(cls, path, given)
+        settle_units(reader, path, given, values)
+        return cls(**values)
 
 
 @dataclass(frozen=True)
@@ -58,7 +71,7 @@ class Parts(kind.Kind):
         forms: list[dict[str, Any]] = [{"$ref": f"#/$defs/{x.__name__}"} for x in self.types]
         if not self.noun:
             return forms[0] | {"description": (self.types[0].__doc__ or "").partition("\n")[0]}
-        if self.types == (Parameter,):
+        if self.types[0].short:
             forms.insert(0, kind.NUMBER.schema())
         one = forms[0] if len(forms) == 1 else {"anyOf": forms}
         text = f"a name for each {self.noun}, and what it is"
@@ -88,6 +101,9 @@ class Scene(Part):
     profiles: Annotated[dict[str, Profile], _table("profile", Profile)] = field(
         default_factory=dict
     )
+    expressions: Annotated[dict[str, Expression], _table("expression", Expression)] = field(
+        default_factory=dict
+    )
     points: Annotated[dict[str, Point], _table("point", Point)] = field(default_factory=dict)
     bodies: Annotated[dict[str, Body], _table("body", BODIES)] = field(default_factory=dict)
     joints: Annotated[dict[str, Part], _table("joint", JOINTS)] = field(default_factory=dict)
@@ -99,6 +115,7 @@ class Scene(Part):
     ] = field(default_factory=dict)
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
     drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)
+    sensors: Annotated[dict[str, Part], _table("sensor", SENSORS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)
     solver: Annotated[SolverSettings, _table("", SolverSettings)] = field(
         default_factory=SolverSettings
@@ -123,6 +140,16 @@ class Scene(Part):
         for name in TopologicalSorter(uses).static_order():
             values[name] = float((given or {}).get(name, evaluate(numbers[name], values)))
         return values
+
+    def results(self) -> list[str]:
+        """Names of the outputs and of the values of sensors: what reports plot."""
+        offered = (
+            (name, offer)
+            for name, sensor in self.sensors.items()
+            for offer in sensor.offered(sensor.given())
+        )
+        values = (x for name, offer in offered for x, _ in offer.named(name, self.dimension))
+        return [*self.outputs, *values]
 
     def sentences(self) -> tuple[str, ...]:
         """Each warning as it is reported, with its line and help."""

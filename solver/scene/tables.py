@@ -13,7 +13,7 @@ from solver.scene.fields import shown
 from solver.scene.grammar import is_readable
 from solver.scene.mistakes import Problem, SceneError, Source, location_of
 from solver.scene.positions import first_of_repeated, lines_of_json
-from solver.scene.units import in_si
+from solver.scene.units import unit_help
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -115,7 +115,7 @@ def _toml(source: Source) -> dict[str, Any]:
             help = f"{help}, first in line {first}" if first else help
         else:  # such as angle = 90 deg
             pieces = re.split(r"[=,{}\[\]]", text.split("\n")[line - 1])
-            help = next(filter(None, map(in_si, pieces)), help)
+            help = next(filter(None, map(unit_help, pieces)), help)
         _give_up(source, f"TOML: {message}", help, line, column)
 
 

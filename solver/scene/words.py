@@ -24,8 +24,10 @@ _WORDS = {
         contacts: collisions impacts obstacles
         parameters: variables constants params
         inputs: signals
+        expressions: formulas definitions terms
         profiles: tables curves splines characteristics lookups
-        outputs: sensors results measurements measures
+        sensors: instruments probes
+        outputs: results measurements measures
         experiment: simulation run
         solver: settings integrator
         looks: visuals appearance
@@ -54,6 +56,10 @@ _WORDS = {
         angle: rotation rotational revolute turn
         displacement: translation translational linear prismatic slide
         position: motion path trajectory
+        """,
+    "sensors": """
+        imu: accelerometer gyro gyroscope inertial
+        relative: distance difference gap frame
         """,
     "contacts": """
         plane: floor ground wall line halfspace half_space
@@ -92,7 +98,7 @@ _WORDS = {
         inertia: j i moment_of_inertia inertia_tensor
         center_of_mass: com cg cog center_of_gravity centre_of_mass centre_of_gravity
         position at: pos location origin place coordinates xyz
-        orientation free_angle value: angle rotation rot attitude euler
+        orientation free_angle value: axes angle rotation rot attitude euler
         velocity: vel v
         angular_velocity: omega w spin angular_speed
         bodies: body1 body2 parent child
@@ -116,8 +122,8 @@ _WORDS = {
 }
 _NOT_A_WORD = {
     ("motor", "motors", "servo"): (
-        'a motor is a motion in [drivers], such as type = "angle" with value = "2*t", or a load in '
-        '[forces], type = "joint_torque"'
+        'a motor is a motion in [drivers], such as type = "angle" with value = "2*t", or one with '
+        'limits in [forces], type = "actuator"'
     ),
     ("friction",): (
         "friction is a field of contacts, friction = 0.3, and of revolute, prismatic, spherical "

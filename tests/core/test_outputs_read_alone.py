@@ -14,8 +14,10 @@ from tests.support.mechanisms.mechanism_runs import scene
 SCENES = ("flyball_governor", "stewart", "bricard", "bouncing_ball", "car_axis", "snakeboard")
 
 
-def moved(name: str) -> Integrator:
-    run = Integrator(solver.assemble(solver.load(scene(name))))
+def moved(name: str, *, accelerates: bool = False) -> Integrator:
+    read = solver.load(scene(name))
+    asked = [f"{part}.a{axis}" for part in (*read.points, *read.bodies) for axis in "xyz"]
+    run = Integrator(solver.assemble(read, asked if accelerates else ()))
     for _ in range(5):
         run.advance(run.time, 0.01)
     return run
@@ -28,9 +30,11 @@ def forget(run: Integrator) -> None:
     run.numbers[begin : begin + size] = [math.nan] * size
 
 
+@pytest.mark.parametrize("accelerates", [False, True], ids=["", "accelerations"])
 @pytest.mark.parametrize("name", SCENES)
-def test_an_output_has_the_same_bits_alone_and_among_all(name):
-    run = moved(name)
+def test_an_output_has_the_same_bits_alone_and_among_all(name, accelerates):
+    run = moved(name, accelerates=accelerates)
+    assert run.model.sizes["accelerates"] == accelerates
     outputs = [i for i, v in enumerate(run.model.variables) if v.causality == "output"]
     together = run.get(outputs)
     alone = []
@@ -38,6 +42,14 @@ def test_an_output_has_the_same_bits_alone_and_among_all(name):
         forget(run)
         alone += run.get([index])
     assert alone == together == [run.get([index])[0] for index in outputs]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_no_bit_of_another_output_depends_on_accelerations(name):
+    plain, asked = (moved(name, accelerates=accelerates) for accelerates in (False, True))
+    names = [v.name for v in plain.model.variables if v.causality == "output"]
+    first, second = (run.get([run.model.index(x) for x in names]) for run in (plain, asked))
+    assert first == second
 
 
 def test_a_position_is_read_without_energies_and_forces():

@@ -258,6 +258,7 @@ OF_TYPES = {
     "force": 'point = "P", value = [0, 0]',
     "potential": 'value = "P.x**2"',
     "gravitation": 'points = ["P", "arm"], constant = 1.0',
+    "actuator": 'joint = "pin", value = 0.0',
 }
 
 

@@ -154,10 +154,19 @@ def test_a_run_that_would_not_end_ends_with_2(capsys, command, arguments, words)
     assert words in err
 
 
-def test_a_number_with_its_unit_is_told_to_stand_alone(capsys):
-    code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", "drive=1kN.m")
-    message = "--set drive=1kN.m: error: drive: must be a number in N.m, got '1kN.m'\n"
-    assert (code, err) == (2, f"{message}  = help: a unit is not written here\n")
+def test_a_number_of_an_fmu_may_have_a_unit(capsys):
+    fmu = scene_fmu("four_bar")
+    outputs = [
+        run(capsys, "simulate", fmu, "--set", f"drive={x}", "--stop", 0.01)[1].partition("\n")[2]
+        for x in ("1.5kN.m", "1500")
+    ]  # the first line has the time that it took
+    assert outputs[0] == outputs[1] != ""
+    code, _, err = run(capsys, "simulate", fmu, "--set", "drive=1newtonmeter")
+    message = "--set drive=1newtonmeter: error: drive: must be a number in N.m"
+    assert code == 2
+    assert err.startswith(message)
+    code, _, err = run(capsys, "simulate", fmu, "--set", "drive=1 kg")
+    assert (code, "'kg' measures something else; give the value in N.m" in err) == (2, True)
 
 
 def test_the_folder_of_a_csv_file_is_made(capsys, tmp_path):

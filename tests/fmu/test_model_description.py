@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import re
 import xml.etree.ElementTree as ElementTree
-import zipfile
 
 import fmpy
 import pytest
@@ -18,17 +17,19 @@ from build_fmu.model_description import model_description
 from build_fmu.xml_parts import Element, document, element
 from solver.runtime import Model
 from solver.scene.units import BaseUnit, base_unit
-from tests.support.fmus.fmu_instance import SCENES, instance, pendulum, scene_fmu, text_fmu
+from tests.support.fmus.fmu_instance import (
+    SCENES,
+    instance,
+    pendulum,
+    root_of,
+    scene_fmu,
+    text_fmu,
+)
 from tests.support.fmus.native_fmus import native_scene_fmu
 from tests.support.mechanisms.scene_files import ALL
 
 ERROR = 3
 AWKWARD = [0.1 + 0.2, 1 / 3, 1e-300, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0, 1e22]
-
-
-def root_of(path):
-    with zipfile.ZipFile(path) as archive:
-        return ElementTree.fromstring(archive.read("modelDescription.xml"))
 
 
 def test_a_document_is_that_of_the_standard_library():

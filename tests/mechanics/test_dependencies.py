@@ -114,6 +114,14 @@ sum = { value = "A.x + 2*shown*A.vx" }
 late = { value = "A.x + ramped + smoothed" }
 power = { value = "twist*arm.angular_velocity" }
 pull = { value = "2*spring.force" }
+swung = { value = "G.ax + boom.power" }
+run = { value = "V.ax" }
+turns = { value = "arm.angular_acceleration + hinge.angular_acceleration" }
+cranked = { value = "pivot.angular_acceleration" }
+given = { value = "wind.power" }
+[sensors]
+imu = { type = "imu", body = "arm", at = [11.5, 0.2] }
+seen = { type = "relative", points = ["A", "arm"], axes = "arm" }
 [solver]
 step_size = 0.01
 """

@@ -478,3 +478,31 @@ def test_both_ends_of_a_spring_and_the_floor_stay_where_they_are_fixed():
         assert float(after[name]) == pytest.approx(float(before[name]), abs=1e-12)
     assert "at = [[0.4, 0.5], [" in closed
     assert "position = [0, 0.5]" in closed
+
+
+def test_instruments_go_with_the_bodies_that_carry_them():
+    text = """
+        name = "mast"
+        dimension = 2
+        [points]
+        O = { position = [0, 0], fixed = true }
+        [bodies.arm]
+        position = [0.1, 0.05]
+        orientation = 0.1
+        mass = 1
+        inertia = 1
+        points = { end = [0, 0], tip = [1, 0] }
+        [joints]
+        pin = { type = "revolute", points = ["O", "arm.end"] }
+        rod = { type = "distance", points = ["ground", "arm.tip"], at = [1, 3], length = 3 }
+        [sensors]
+        imu = { type = "imu", body = "arm", at = [0.6, 0.2], orientation = 0.2 }
+        way = { type = "relative", points = ["O", "arm"], at = [0.6, 0.2] }
+        [solver]
+        assemble = true
+        """
+    closed = solver.close(solver.loads(text)).text
+    (x, y), old = (tomllib.loads(closed)["sensors"]["imu"]["at"], (0.6 - 0.1, 0.2 - 0.05))
+    c, s = math.cos(0.1), math.sin(0.1)  # the arm comes to lie along x, from the origin
+    assert (x, y) == pytest.approx((c * old[0] + s * old[1], c * old[1] - s * old[0]), abs=1e-12)
+    assert float(start(unassembled(closed))["way.distance"]) == pytest.approx(math.hypot(x, y))

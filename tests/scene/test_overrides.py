@@ -61,10 +61,9 @@ def test_numbers_of_bodies_and_joints_can_be_replaced(name, value, read, expecte
         ),
         (
             "points.A.mass",
-            "2kg",
-            "error: points.A.mass: a number with letters behind it; "
-            "a unit is not written here, column 1 of '2kg'\n"
-            "     = help: a unit is not written behind a number; all are in SI, here kg: write 2",
+            "2mm",
+            "error: points.A.mass: is 2mm, and must be in kg\n"
+            '     = help: write for instance "250 g"',
         ),
         (
             "points.A.mass",

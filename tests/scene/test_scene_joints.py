@@ -252,9 +252,10 @@ def test_positions_and_rates_are_those_of_points_bodies_and_joints():
     [
         ("j1", "force"),
         ("j2", "force.x force.y force.z"),
-        ("j3", "angle angular_velocity force.x force.y force.z torque.x torque.y torque.z"),
-        ("j5", "angle angular_velocity displacement velocity force.x force.y force.z"
-               " torque.x torque.y torque.z"),
+        ("j3", "angle angular_velocity angular_acceleration"
+               " force.x force.y force.z torque.x torque.y torque.z"),
+        ("j5", "angle angular_velocity angular_acceleration displacement velocity acceleration"
+               " force.x force.y force.z torque.x torque.y torque.z"),
         ("j8", "force.x force.y force.z torque.x torque.y torque.z"),
         ("k1", "force.x force.y force.z"),
         ("k4", "torque"),
@@ -262,16 +263,19 @@ def test_positions_and_rates_are_those_of_points_bodies_and_joints():
         ("k6", "force"),
         ("k7", "force.x force.y force.z"),
         ("c1", "multiplier"),
-        ("f1", "length force"),
-        ("f4", "torque"),
-        ("f7", ""),
-        ("f9", "energy"),
-        ("g1", "length force"),
+        ("f1", "length force power"),
+        ("f4", "torque power"),
+        ("f7", "power"),
+        ("f9", "energy power"),
+        ("g1", "length force power"),
         ("d1", "force.x force.y force.z power"),
         ("d2", "force power"),
         ("d3", "torque power"),
         ("d4", "force power"),
-        ("b2", "x y z vx vy vz qw qx qy qz wx wy wz"),
+        ("b2", "x y z vx vy vz ax ay az qw qx qy qz wx wy wz wdx wdy wdz"),
+        ("i1", "fx fy fz wx wy wz"),
+        ("i2", "x y z vx vy vz distance angle psi_x psi_y psi_z wx wy wz"),
+        ("i3", "x y z vx vy vz distance"),
     ],
 )  # fmt: skip
 def test_quantities_in_space(name, words):
@@ -282,11 +286,15 @@ def test_quantities_in_space(name, words):
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("j1", "angle angular_velocity force.x force.y"),
+        ("j1", "angle angular_velocity angular_acceleration force.x force.y"),
         ("j2", "force.x force.y"),
-        ("j3", "displacement velocity force.x force.y torque.z friction slip friction_mode"),
+        (
+            "j3",
+            "displacement velocity acceleration force.x force.y torque.z"
+            " friction slip friction_mode power",
+        ),
         ("j4", "force.x force.y torque.z"),
-        ("b2", "x y vx vy angle angular_velocity"),
+        ("b2", "x y vx vy ax ay angle angular_velocity angular_acceleration"),
         ("n1", "gap force mode impacts impulse friction slip"),
         ("n3", "gap force mode impacts impulse"),
         ("n4", "gap force mode impacts impulse"),
@@ -294,7 +302,9 @@ def test_quantities_in_space(name, words):
         ("n12", "gap force mode impacts impulse friction slip"),
         ("n10", "gap force mode impacts impulse"),
         ("j9", "torque gap force mode impacts impulse"),
-        ("f1", ""),
+        ("f1", "power"),
+        ("i1", "fx fy w"),
+        ("i2", "x y vx vy distance angle angular_velocity"),
     ],
 )
 def test_quantities_in_the_plane(name, words):

@@ -184,3 +184,32 @@ def test_what_is_no_number_is_null(tmp_path):
 def test_nothing_of_the_viewer_is_imported_unless_it_is_used(module):
     code = f"import sys, {module}; sys.exit(any(m.startswith('viewer') for m in sys.modules))"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+CARRIED = """
+name = "carried"
+dimension = 2
+gravity = [0, -9.81]
+[bodies]
+arm = { position = [0, 0], mass = 1, inertia = 0.1, center_of_mass = [0.5, 0] }
+[joints]
+pin = { type = "revolute", bodies = ["ground", "arm"], position = [0, 0] }
+[sensors]
+imu = { type = "imu", body = "arm", at = [1, 0] }
+[outputs]
+felt = { value = "arm.angular_acceleration", unit = "rad/s2" }
+"""
+
+
+@pytest.mark.parametrize("of_fmu", [False, True], ids=["run in Python", "FMU"])
+def test_a_page_plots_outputs_and_then_what_sensors_show(of_fmu, tmp_path):
+    scene, page = tmp_path / "carried.toml", tmp_path / "page.html"
+    scene.write_text(CARRIED, encoding="utf-8")
+    if of_fmu:
+        fmu = build(scene, tmp_path / "carried.fmu")
+        assert main(["simulate", str(fmu), "--stop", "1", "--report", str(page)]) == 0
+    else:
+        solver.simulate(scene).report(page)
+    data = data_of(page)
+    plotted = [plot["names"] for plot in data["plots"]]
+    assert plotted[:3] == [["felt"], ["imu.fx", "imu.fy"], ["imu.w"]]

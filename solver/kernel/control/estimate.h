@@ -30,8 +30,8 @@
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
 /* Error of velocities of parts that stiff springs or dampers hold, and that follow a force: of a
-   pair over h^2 times the rate of accelerations, of a cover of order 4 over its difference, of which
-   a light node tells little. It is there at the end of each step, and does not add up. */
+   pair over h^2 times the rate of accelerations, of a cover of order 4 over its difference, of
+   which a light node tells little. It is there at the end of each step, and does not add up. */
 #define SLAVED 0.3
 #define SLAVED_COVER 1.5
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of

@@ -59,7 +59,7 @@ static int32_t groups_of(const holonom_instance *i, int32_t place)
     static const int32_t groups[HOLONOM_GROUPS] = {
         HOLONOM_MEASURE_MOTION, HOLONOM_MEASURE_FORCES,   HOLONOM_MEASURE_BODIES,
         HOLONOM_MEASURE_FORCES, HOLONOM_MEASURE_ENERGIES, HOLONOM_MEASURE_MOMENTA,
-        HOLONOM_MEASURE_SOLVER, HOLONOM_MEASURE_CONTACTS};
+        HOLONOM_MEASURE_SOLVER, HOLONOM_MEASURE_CONTACTS, HOLONOM_MEASURE_ACCELERATIONS};
     int k = 0;
     while (k < HOLONOM_GROUPS - 1 && place >= i->group_end[k]) k++;
     return groups[k];

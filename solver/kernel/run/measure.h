@@ -3,7 +3,7 @@
 #define HOLONOM_MEASURE_H
 
 #include "coarseness.h"
-#include "contact.h"
+#include "contact_modes.h"
 #include "rigid.h"
 #include "runge_kutta.h"
 
@@ -62,9 +62,10 @@ static int tells_forces(const context *c)
            && (c->s.head[S_MEAN_TIME] != c->t || m->n_signals || m->n_switches);
 }
 
-/* Likewise, as the state asks for them, beginning with those that are there; where a law jumps now,
-   on the side that it is on now, as outputs by a formula. State and laws stay as they are. */
-HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
+/* Likewise, as the state asks for them, beginning with those that are there, and accelerations a
+   (n, overwritten); where a law jumps now, on the side that it is on now, as outputs by a formula.
+   State and laws stay as they are. */
+HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y, double *a)
 {
     context at = rows_at_state(c);
     keep_state(c, c->k.whole_backup);
@@ -75,21 +76,24 @@ HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y)
     if (c->m->sensing) sense(&at, 0.0, 0);
     set_laws(&at, c->t, 0);
     EACH_ISLAND(&at, island)
-        status = status ? status : accelerate(&at, c->k.estimate, y->multiplier);
+        status = status ? status : accelerate(&at, a, y->multiplier);
     if (!status && c->m->n_driven)
-        status = hold_driven(&at, c->k.estimate, y->multiplier, y->driven_force);
+        status = hold_driven(&at, a, y->multiplier, y->driven_force);
     take_state(c, c->k.whole_backup);
     set_laws(c, c->t, 0);
     return status;
 }
 
-/* Likewise with contacts and frictions, in the modes that they are in. */
+/* Likewise with contacts and frictions, in the modes that they are in, or take where an input has
+   just changed; a is k.w. */
 HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     keep_state(c, c->k.whole_backup);
     evaluate_state(c);
-    int32_t status = evaluate_forces(c);
+    int32_t status = HOLONOM_OK;
+    if (c->s.head[S_UNSETTLED] != 0.0 && !is_stepped(c)) status = settle_modes(c);
+    if (!status) status = evaluate_forces(c);
     memcpy(y->multiplier, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
     memcpy(c->k.mu, c->k.event_mu, sizeof(double) * (size_t)m->n_rows);
     if (!status && m->n_driven) status = forces_at_state(c);
@@ -100,13 +104,81 @@ HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
     return status;
 }
 
-/* Multipliers, forces on driven nodes, and the forces along rods, 2 mu |u|, positive in tension. */
-static void measure_rows(context *c, const hm_measured *y)
+/* Second derivative of quantity j with accelerations a. Axes of an angle keep their lengths: by
+   what their rates are off, an error of the step, it does not turn. */
+HM_SELDOM static double quantity_acceleration(const context *c, int32_t j, const double *a)
+{
+    const holonom_model *m = c->m;
+    const int is_angle = m->quantity_kind[j] == QUANTITY_ANGLE;
+    double s[2] = {0.0, 0.0}, rate[2] = {0.0, 0.0}, vu[DIM], vw[DIM], turn, change;
+    for (int i = 0; i < (is_angle ? 2 : 1); i++) {
+        const int32_t f = m->quantity_form[2 * j + i];
+        double *u = c->k.u0 + DIM * f, *w = c->k.w0 + DIM * f;
+        link_at_state(c, f, u, w);
+        link_of(c, f, c->s.v, vu, vw);
+        s[i] = dot(u, w);
+        rate[i] = dot(u, vw) + dot(w, vu);
+    }
+    quantity_at(c, j, c->s.q, c->s.q_low, c->s.v, &turn);
+    quantity_at(c, j, c->s.q, c->s.q_low, a, &change);
+    change += second_rate(c, j);
+    const double size2 = s[0] * s[0] + s[1] * s[1];
+    if (!is_angle || !(size2 > 0.0)) return change;
+    return change + 2.0 * turn * (s[0] * rate[0] + s[1] * rate[1]) / size2;
+}
+
+/* Lets directors have the velocities of rigid bodies: those of equal steps are off by an error of
+   the steps, which would stretch bodies and bring about forces. */
+HM_SELDOM static void turn_rigidly(const context *c)
+{
+    for (int32_t b = 0; b < n_bodies(c->m); b++) {
+        const int32_t first = DIM * c->m->body_node[b];
+        double omega[TURNING];
+        turn_of_directors(c->s.q + first, c->s.v + first, omega);
+        for (int i = first; i < first + DIM * TURNING; i += DIM)
+            turned_by(omega, c->s.q + i, c->s.v + i);
+    }
+}
+
+/* Accelerations, which are those of the state whatever the forces are, of nodes, places, quantities
+   and bodies; no number where the state has none. Whether multipliers and forces on driven nodes
+   are those of the state as well: under a tolerance, where velocities fit the rows. */
+HM_SELDOM static int measure_accelerations(const context *measured, const hm_measured *y)
+{
+    const holonom_model *m = measured->m;
+    context at = *measured, *c = &at; /* modes that are settled here stay here */
+    const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving);
+    double w[DIM];
+    keep_state(c, c->k.finest);
+    if (!(c->tolerance > 0.0)) turn_rigidly(c);
+    mean_forces(c, y);
+    const int32_t status =
+        is_unilateral(m) ? forces_of_modes(c, y) : forces_of_state(c, y, c->k.estimate);
+    memcpy(y->acceleration, is_unilateral(m) ? c->k.w : c->k.estimate, bytes);
+    for (int32_t k = 0; k < DIM * c->n_moving && status; k++) y->acceleration[k] = NAN;
+    for (int32_t j = 0; j < m->n_places; j++)
+        link_of(c, m->place_form[j], y->acceleration, y->place_acceleration + DIM * j, w);
+    for (int32_t j = 0; j < m->n_quantities; j++)
+        y->quantity_acceleration[j] = quantity_acceleration(c, j, y->acceleration);
+#if DIM == 3
+    for (int32_t j = 0; j < n_bodies(m); j++) {
+        const int32_t first = 3 * m->body_node[j];
+        turn_of_directors(c->s.q + first, y->acceleration + first, y->body_acceleration + 3 * j);
+    }
+#endif
+    take_state(c, c->k.finest);
+    return !status && c->tolerance > 0.0 && tells_forces(c);
+}
+
+/* Multipliers, forces on driven nodes, and the forces along rods, 2 mu |u|, positive in tension;
+   `are_told`: the former are there. */
+static void measure_rows(context *c, const hm_measured *y, int are_told)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];
-    mean_forces(c, y);
-    if (tells_forces(c) && (is_unilateral(m) ? forces_of_modes(c, y) : forces_of_state(c, y)))
+    if (!are_told) mean_forces(c, y);
+    if (!are_told && tells_forces(c)
+        && (is_unilateral(m) ? forces_of_modes(c, y) : forces_of_state(c, y, c->k.estimate)))
         mean_forces(c, y);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
@@ -226,7 +298,8 @@ void holonom_group_ends(const holonom_model *m, double *number, int32_t *end)
     hm_measured y;
     hm_map_measured(m, number + m->measured_at, &y);
     const double *const first_behind[] = {y.rod_force, y.quaternion, y.reaction_force, y.energy,
-                                          y.momentum,  y.solver,     y.contact};
+                                          y.momentum,  y.solver,     y.contact,
+                                          y.acceleration};
     for (int k = 0; k < HOLONOM_GROUPS - 1; k++) end[k] = (int32_t)(first_behind[k] - number);
     end[HOLONOM_GROUPS - 1] = m->n_numbers;
 }
@@ -241,10 +314,13 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     hm_map_measured(m, number + m->measured_at, &measured);
     const double *head = c.s.head;
     const int all = groups == HOLONOM_MEASURE_ALL, loads = groups & HOLONOM_MEASURE_SOLVER;
+    int are_told = 0;
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
     if (groups & HOLONOM_MEASURE_MOTION) measure_motion(&c, y);
-    if (groups & HOLONOM_MEASURE_FORCES) measure_rows(&c, y);
+    if (m->accelerates && (groups & HOLONOM_MEASURE_ACCELERATIONS & ~HOLONOM_MEASURE_FORCES))
+        are_told = measure_accelerations(&c, y);
+    if (groups & HOLONOM_MEASURE_FORCES) measure_rows(&c, y, are_told);
     if (groups & HOLONOM_MEASURE_BODIES) measure_bodies(&c, y);
     if (groups & HOLONOM_MEASURE_FORCES) measure_reactions(&c, y);
     if (groups & (HOLONOM_MEASURE_CONTACTS & ~HOLONOM_MEASURE_FORCES)) measure_contacts(&c, y);

@@ -66,7 +66,8 @@ static int has_sizes(const checker *c)
                          + m->n_function_rows + m->n_velocity_rows;
     return rows == m->n_rows && m->n_active <= m->n_quantities && m->n_mass_free <= m->n_mass
            && m->n_slots <= 64 && m->steep_signals <= 1 && m->time_dependent <= 1
-           && m->variable_potential <= 1 && m->sensing <= 1 && m->fits_velocities <= 1
+           && m->variable_potential <= 1 && m->sensing <= 1 && m->accelerates <= 1
+           && m->fits_velocities <= 1
            && m->switching == (m->n_switches > 0) && m->n_motion_switches <= m->n_switches
            && m->n_kinks <= m->n_motion_switches
            && DIM * (int64_t)m->n_driven <= m->n_signals;

@@ -1,5 +1,5 @@
-/* Function rows, velocity rows, potentials and forces: functions of quantities, rates and signals on
-   the tape of operations. */
+/* Function rows, velocity rows, potentials and forces: functions of quantities, rates and signals
+   on the tape of operations. */
 #ifndef HOLONOM_FUNCTION_H
 #define HOLONOM_FUNCTION_H
 

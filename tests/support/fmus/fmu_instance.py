@@ -11,6 +11,7 @@ import zipfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import fmpy
 from fmpy.fmi1 import FMICallException
@@ -67,6 +68,12 @@ def packed(content: Mapping[str, bytes]) -> bytes:
         for name, text in content.items():
             archive.writestr(zipfile.ZipInfo(name), text)
     return data.getvalue()
+
+
+def root_of(path: Path) -> ElementTree.Element:
+    """Root of the model description of an FMU."""
+    with zipfile.ZipFile(path) as archive:
+        return ElementTree.fromstring(archive.read("modelDescription.xml"))
 
 
 def scene_fmu(name: str, *, native: bool = False) -> Path:

@@ -1,0 +1,117 @@
+"""Actuators: the force of a motor within its limits, and what its gear loses (theory 5.9).
+
+    F = n clip(value, +-M),      M = min(M_max, P_max/(n |s'|)),      n = ratio
+
+A gear of efficiency e passes n M e on where it drives, and needs n M/e to hold back: the mean of
+both acts, and friction of half their difference holds or takes energy.
+"""
+
+from __future__ import annotations
+
+from solver.mechanics.force_laws import add_drive
+from solver.mechanics.formulas import leaf_symbol, sensed, with_symbols
+from solver.mechanics.mechanism import Element, Formula, Friction, Scale
+from solver.mechanics.parts import ForceLaw, JointParts
+from solver.mechanics.rows import METRES, RADIANS, Rows
+from solver.runtime.layout import LEAF_RATE
+from solver.scene import Actuator, Expr, Number, symbols
+from solver.scene.expression import operate, select, symbol
+
+_RATE = symbol("rate")
+_LEAST_RATE = 1e-9
+"""Rate at and below which the power of an actuator without a largest force is that of this rate
+[m/s, rad/s]."""
+
+
+def add_actuator(rows: Rows, actuator: Actuator, _: JointParts) -> None:
+    """Add a force or torque along what an actuator acts on."""
+    parts, mechanism = rows.parts, rows.mechanism
+    if actuator.points is not None:
+        link = parts.links[rows.name] = parts.link(actuator.points)
+        quantity, scale = mechanism.length(link), METRES
+    else:
+        found = parts.joints[actuator.joint or actuator.guide or ""]
+        quantity, scale = found.angle, RADIANS
+        if actuator.guide is not None:
+            quantity, scale = found.displacement, METRES
+    assert quantity is not None
+    mechanism.use(quantity)
+    force = pushed(actuator)
+    mean, half = _passed_on(actuator)
+    if rows.is_known(force):
+        rows.finite((force,), "value")
+        parts.elements[rows.name] = len(mechanism.elements)
+        mechanism.elements.append(Element(quantity, drive=sensed(parts, mean * force)))
+        parts.force_laws[rows.name] = ForceLaw(-1.0 * mean * force, {})
+    else:
+        add_drive(rows, quantity, mean * force)
+    if isinstance(half, Expr) or half != 0.0:
+        _add_gear_losses(rows, quantity, half * operate("abs", force), scale)
+
+
+def pushed(actuator: Actuator) -> Number:
+    """Return the force or torque before losses of the gear, in ``rate`` and what else it reads."""
+    value, limit = actuator.ratio * at_motor(actuator, actuator.value), _limit(actuator)
+    if limit is None:
+        return value
+    return operate("min", operate("max", value, -1.0 * limit), limit)
+
+
+def limited(actuator: Actuator) -> Number:
+    """Return 0 where an actuator is free, 1 at its largest force, 2 at its largest power."""
+    size = operate("abs", actuator.ratio * at_motor(actuator, actuator.value))
+    strength, power = _strength(actuator), actuator.max_power
+    weak = 0.0 if strength is None else operate("gt", size, strength)
+    if power is None:
+        return weak
+    slow = operate("gt", operate("mul", size, operate("abs", _RATE)), power)
+    if strength is None:
+        return 2.0 * slow
+    first = operate("gt", operate("mul", strength, operate("abs", _RATE)), power)
+    return select(slow, select(first, 2.0, 1.0), weak)
+
+
+def at_motor(actuator: Actuator, number: Number) -> Number:
+    """Return a number in ``rate`` in the place of ``motor_speed``."""
+    return with_symbols(number, {symbol("motor_speed"): actuator.ratio * _RATE})
+
+
+def _strength(actuator: Actuator) -> Number | None:
+    """Return the largest force, or torque behind the gear; None without one."""
+    most = actuator.max_force if actuator.joint is None else actuator.max_torque
+    if most is None:
+        return None
+    ratio = operate("abs", actuator.ratio)
+    return operate("max", ratio * at_motor(actuator, most), 0.0)
+
+
+def _limit(actuator: Actuator) -> Number | None:
+    """Return the largest force at a rate; None without one.
+
+    Of a largest force F and power P it is P/max(|rate|, P/F), which has a slope at rest.
+    """
+    strength, power = _strength(actuator), actuator.max_power
+    if power is None:
+        return strength
+    least = _LEAST_RATE if strength is None else operate("div", power, strength)
+    if isinstance(strength, Expr) and "rate" in symbols(strength):
+        at_power = operate("div", power, operate("max", operate("abs", _RATE), _LEAST_RATE))
+        return operate("min", strength, at_power)
+    return operate("div", power, operate("max", operate("abs", _RATE), least))
+
+
+def _passed_on(actuator: Actuator) -> tuple[Number, Number]:
+    """Mean and half the difference of what a gear passes on as it holds back and as it drives."""
+    e = actuator.efficiency
+    return 0.5 * (1.0 / e + e), 0.5 * (1.0 / e - e)
+
+
+def _add_gear_losses(rows: Rows, quantity: int, size: Number, scale: Scale) -> None:
+    mechanism = rows.mechanism
+    rate = mechanism.leaf(quantity, LEAF_RATE)
+    rows.detail = " as its gear rubs"
+    row = rows.velocity(Formula(leaf_symbol(0), (rate,)), scale)
+    own = {"rate": rate}
+    rows.parts.rubbing[rows.name] = len(mechanism.frictions), 1.0
+    preload = sensed(rows.parts, size, own)
+    mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, 0.0, preload))
