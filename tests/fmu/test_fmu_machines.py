@@ -1,9 +1,10 @@
-"""FMUs of every kind move machines with actuators, dampers by a law and states as `simulate` does."""
+"""FMUs of every kind move actuators, dampers with a law and states as `simulate` does."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
+from fmpy.fmi1 import FMICallException
 
 import solver
 from build_fmu import build
@@ -25,8 +26,14 @@ rod = { mass = 1.0, inertia = 0.3, position = [1, 0] }
 [joints]
 hinge = { type = "revolute", bodies = ["ground", "rod"], position = [0, 0] }
 [states]
-pid = { type = "pid", error = "target - hinge.angle", kp = "gain", ki = 2, kd = 1, sample_time = 0.02 }
 turns = { update = "turns + 1", sample_time = 0.1, unit = "1" }
+[states.pid]
+type = "pid"
+error = "target - hinge.angle"
+kp = "gain"
+ki = 2
+kd = 1
+sample_time = 0.02
 [forces.motor]
 type = "actuator"
 joint = "hinge"
@@ -67,6 +74,9 @@ def test_a_largest_torque_that_is_negative_is_refused_in_an_fmu(native):
     with instance(text_fmu(ARM, native=native)) as fmu:
         fmu.initialise()
         assert fmu.step(0.0, 0.05)
-        fmu.set(torque=-1.0)
-        assert not fmu.step(0.05, 0.05)
+        try:  # refused when it is set, or in the step that takes it
+            fmu.set(torque=-1.0)
+            assert not fmu.step(0.05, 0.05)
+        except FMICallException:
+            pass
         assert any("max_torque must be > 0 N.m, got -1" in str(line) for line in fmu.log)
