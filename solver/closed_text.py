@@ -54,6 +54,7 @@ LINEAR, SPINS = ("vx", "vy", "vz"), ("wx", "wy", "wz", "angular_velocity")
 TABLES_WITH_PLACES = ("joints", "forces", "drivers", "contacts", "sensors")
 TABLES_WITH_FORMULAS = (
     "expressions",
+    "states",
     "constraints",
     "contacts",
     "forces",

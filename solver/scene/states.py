@@ -77,7 +77,7 @@ class Pid(Part):
     kd: Annotated[Number, kind.Quantity("", "derivative gain, times second", place=PROPERTY)] = 0.0
     filter: Annotated[
         Number | None,
-        kind.Quantity("1/s", "of the derivative, none unless given", POSITIVE, PROPERTY),
+        kind.Quantity("1/s", "bandwidth of the derivative", POSITIVE, PROPERTY),
     ] = None
     min: Annotated[Number | None, kind.Quantity("", "least value", place=PROPERTY)] = None
     max: Annotated[Number | None, kind.Quantity("", "largest value", place=PROPERTY)] = None
