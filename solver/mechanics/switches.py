@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from solver.mechanics.formulas import rewritten
 from solver.mechanics.parts import Parts
 from solver.mechanics.tape import SWITCHING, Switch
-from solver.scene import Expr, Scene
+from solver.scene import Expr
 from solver.scene.expression import symbol
 from solver.scene.scene import NOUNS
 
@@ -24,7 +24,7 @@ def names_of_switches(
     Those of `clocks` have names, by their places.
     """
     found = [(x.name, str(_readable(parts, x.operation))) for x in switches]
-    owners = _owners(parts.scene) if found else {}
+    owners = _owners(parts) if found else {}
     return tuple(
         clocks.get(k) or name or named(owners.get(text, ""), text)
         for k, (name, text) in enumerate(found)
@@ -45,13 +45,19 @@ def _readable(parts: Parts, operation: Expr) -> object:
     )
 
 
-def _owners(scene: Scene) -> dict[str, str]:
-    """Return the first part in which each operation stands that jumps or has a kink."""
+def _owners(parts: Parts) -> dict[str, str]:
+    """Return the first part in which each operation stands that jumps or has a kink.
+
+    What holds in a force, as a gear within limits does, is not written in its part.
+    """
     owners: dict[str, str] = {}
     for table in _TABLES:
-        for name, part in getattr(scene, table).items():
+        for name, part in getattr(parts.scene, table).items():
             for operation in operations_that_switch(part):
                 owners.setdefault(str(operation), f"{NOUNS[table]} '{name}'")
+    for name, (k, _) in parts.rubbing.items():
+        for operation in operations_that_switch(parts.mechanism.frictions[k].preload):
+            owners.setdefault(str(_readable(parts, operation)), f"{NOUNS['forces']} '{name}'")
     return owners
 
 

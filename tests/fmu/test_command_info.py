@@ -350,6 +350,15 @@ def test_forces_whose_sign_of_a_rate_became_friction_are_named(capsys, tmp_path)
     assert all(f" friction {told}" in out for told in RUBS)
 
 
+def test_switches_of_a_gear_are_those_of_its_force(capsys, tmp_path):
+    scene = tmp_path / "geared.toml"
+    motor = 'joint = "pin", value = "1 - rate", max_torque = 3, ratio = 2, efficiency = 0.8'
+    scene.write_text(f'{FORCED}motor = {{ type = "actuator", {motor} }}\n')
+    switches = json.loads(run(capsys, "info", scene, "--json")[1])["switches"]
+    assert switches
+    assert all(name.startswith("force 'motor': ") for name in switches)
+
+
 def test_friction_of_joints_is_no_sign_of_a_force(capsys):
     document = json.loads(run(capsys, "info", SCENES / "belt_and_block.toml", "--json")[1])
     assert document["rubbing"] == []
