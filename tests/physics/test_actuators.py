@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -41,7 +42,7 @@ load = {{ type = "joint_torque", joint = "hinge", value = {load} }}
 """
 
 
-def run(text: str, stop: float, points: int, names: list[str], **settings: object) -> dict:
+def run(text: str, stop: float, points: int, names: list[str], **settings: Any) -> dict:
     names = [*names, "energy.error", "energy.work"]
     return solver.simulate(
         solver.loads(text), stop_time=stop, step_size=stop / points, outputs=names, **settings
@@ -61,7 +62,7 @@ LIFTED = ["A.x", "A.vx", "lift.force", "lift.power", "lift.limited", "lift.lengt
     ],
 )  # fmt: skip
 def test_a_cylinder_is_at_its_force_and_then_at_its_power(
-    settings: dict[str, object], within: float
+    settings: dict[str, Any], within: float
 ) -> None:
     """It has F until F v = P at 0.2 s, then m v v' = P: v(1) = 6 and x(1) = 11/3, work 180."""
     found = run(LIFT, 1.0, 10, LIFTED, **settings)
@@ -94,9 +95,7 @@ def test_a_motor_falls_along_its_torque_curve(tolerance: float) -> None:
     [({"order": 2, "internal_step": 0.01}, 0.009), ({"tolerance": 1e-8}, 3e-7)],  # a step at rest
 )
 @pytest.mark.parametrize("u", [0.5, 0.3, 0.22, 0.1, -0.2])
-def test_a_gear_holds_what_lies_between(
-    u: float, settings: dict[str, object], within: float
-) -> None:
+def test_a_gear_holds_what_lies_between(u: float, settings: dict[str, Any], within: float) -> None:
     """At ratio 20 and efficiency 0.8 it drives with 16 u, gives way at 25 u, and holds between."""
     fields = 'value = "u", ratio = 20, efficiency = 0.8'
     text = WHEEL.format(u=u, inertia=0.5, fields=fields, load=-5)
