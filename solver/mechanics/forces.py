@@ -9,11 +9,11 @@ from solver.mechanics.actuators import add_actuator
 from solver.mechanics.antiderivative import energy_of
 from solver.mechanics.combination import Combination
 from solver.mechanics.force_laws import add_resistance
-from solver.mechanics.formulas import formula, leaf_symbol, sensed, with_symbols
+from solver.mechanics.formulas import formula, leaf_symbol, sensed, sensor, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.kinks import add_kinks
 from solver.mechanics.mechanism import BodyMoment, Element, Formula, Leaf, Load, Moment, Scale
-from solver.mechanics.parts import AXES, JointParts, Parts
+from solver.mechanics.parts import AXES, JointParts, Meaning, Parts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.rubbing import without_friction
 from solver.mechanics.vectors import Vector, dot
@@ -91,13 +91,14 @@ def _add_law(
     """
     mechanism = rows.mechanism
     energy = energy_of(law, str(stretch), reach, mechanism.defaults)
-    own = {str(measured): Leaf(LEAF_VALUE, quantity)}
-    energy, law = (with_symbols(x, {stretch: measured - free}) for x in (energy, law))
+    leaf = Leaf(LEAF_VALUE, quantity)
+    energy = with_symbols(energy, {stretch: measured - free})
+    own: dict[str, Meaning] = {str(measured): leaf}
     mechanism.potentials.append(formula(rows.parts, energy, signals=False, own=own))
     # Those of the force, whose energy is smoother by one derivative. Where the free value moves, a
     # half step has them where they are in its middle, and no end of a step would meet them.
     if symbols(free).isdisjoint({"t", *rows.parts.scene.inputs}):
-        add_kinks(rows, law, own)
+        add_kinks(rows, law, {str(stretch): sensor(leaf) - free})
 
 
 def add_damper(rows: Rows, force: Damper, _: JointParts) -> None:

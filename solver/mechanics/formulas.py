@@ -155,8 +155,10 @@ def _meaning(parts: Parts, part: Expr, own: Mapping[str, Meaning]) -> Meaning | 
     if part.op == "call":
         return parts.distance(part)
     name = str(part)
+    if name in own:
+        return own[name]
     known = name in parts.mechanism.varying or name in parts.scene.parameters
-    return own.get(name) or (None if known else parts.meaning(name))
+    return None if known else parts.meaning(name)
 
 
 # --------------------------------------------------------------------------------- judgement

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import holonom
 import solver
 from solver.scene import SceneError
 
@@ -206,3 +207,28 @@ def test_a_damper_is_written_one_way(fields: str, words: str) -> None:
     text = SHOT.format(law="rate").replace(', force = "rate"', f", {fields}" if fields else "")
     with pytest.raises(SceneError, match=words):
         solver.loads(text)
+
+
+@pytest.mark.parametrize("settings", ["step_size = 0.01", "step_size = 0.01\norder = 4"])
+def test_dampers_before_an_energy_of_another_quantity_book_what_they_take(settings: str) -> None:
+    """Each reads its own quantity, in whatever order they stand; all that is lost is taken."""
+    damper = (
+        'shock = { type = "damper", points = ["ground", "lever.end"], at = [2.8, 0.4], '
+        'force = "400*rate + 10*rate**3" }\n'
+    )
+    well = 'well = { type = "potential", value = "30*hinge.angle**2" }\n'
+    text = """
+name = "lever"
+dimension = 2
+gravity = [0, -9.81]
+[bodies]
+lever = { mass = 4, inertia = 0.2, position = [2.4, 0], points = { end = [0.4, 0] } }
+[joints]
+hinge = { type = "revolute", bodies = ["ground", "lever"], position = [2, 0] }
+[forces]
+"""
+    for forces in (damper + well, well + damper):
+        scene = solver.loads(f"{text}{forces}[solver]\n{settings}\n")
+        found = holonom.simulate(scene, stop_time=0.2)
+        assert found["energy.dissipated"][-1] > 0.1
+        assert np.abs(found["energy.balance"]).max() < 1e-13

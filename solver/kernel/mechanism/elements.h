@@ -139,7 +139,7 @@ static element_work work_of_force(const context *c, int32_t j, double taken, dou
 static element_work force_step(const context *c, int32_t j)
 {
     composite_result result = {0.0, 0.0, 0.0};
-    force_slopes(c, j, SLOPES_ALONE, &result);
+    composite_slopes(c, j, SLOPES_ALONE, &result); /* of its own forms, which it sets */
     return work_of_force(c, j, result.change, 1.0);
 }
 
