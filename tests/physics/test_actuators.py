@@ -112,6 +112,44 @@ def test_a_gear_holds_what_lies_between(
     assert found["energy.error"].max() < 1e-13
 
 
+@pytest.mark.parametrize("settings", [{"tolerance": 1e-8}, {"order": 4, "internal_step": 0.01}])
+@pytest.mark.parametrize("load", ["0", "0.5*sin(2*t)"])
+def test_a_gear_rubs_also_where_its_motor_begins_without_a_torque(
+    load: str, settings: dict[str, object]
+) -> None:
+    """J w' = n e u + M with u = 0.8 sin 2t, from rest; friction of n u (1/e - e)/2 is taken."""
+    fields = 'value = "0.8*sin(2*t)", ratio = 5, efficiency = 0.8'
+    text = WHEEL.format(u=0, inertia=0.5, fields=fields, load=f'"{load}"')
+    names = ["hinge.angle", "hinge.angular_velocity", "energy.friction"]
+    found = run(text, 1.0, 10, names, **settings)
+    size = (3.2 + (0.5 if load != "0" else 0.0)) / (0.5 * 2.0)
+    rate, angle = size * (1.0 - math.cos(2.0)), size * (1.0 - 0.5 * math.sin(2.0))
+    assert found["hinge.angular_velocity"][-1] == pytest.approx(rate, rel=1e-7)
+    assert found["hinge.angle"][-1] == pytest.approx(angle, rel=1e-7)
+    # the integral of sin 2t (1 - cos 2t) is (1 - cos 2)^2/4
+    lost = 5.0 * 0.8 * (1.25 - 0.8) / 2.0 * size * (1.0 - math.cos(2.0)) ** 2 / 4.0
+    assert found["energy.friction"][-1] == pytest.approx(lost, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("limits", "rate"),
+    [
+        ('max_power = "0.5 - t"', math.sqrt(1.5)),  # J w w' = P until P = 0
+        ('max_torque = 2, max_power = "0.5 - t"', math.sqrt(1.5)),
+        ('max_torque = "0.5 - t"', 1.25),  # J w' = M until M = 0
+        ('max_torque = "0.5 - t", max_power = 9', 1.25),
+        ('max_torque = "0.5 - t", max_power = "0.9 - t"', 1.25),
+    ],
+)
+def test_a_limit_that_falls_below_0_leaves_nothing(limits: str, rate: float) -> None:
+    """At 0.5 s the motor has nothing left, and the wheel goes on as it is; from 1 rad/s."""
+    text = WHEEL.format(u=0, inertia=0.5, fields=f"value = 1, {limits}", load=0)
+    text = text.replace("mass = 1", "mass = 1, angular_velocity = 1")
+    found = run(text, 1.0, 4, ["hinge.angular_velocity", "motor.torque"], tolerance=1e-8)
+    assert found["hinge.angular_velocity"][2:] == pytest.approx(rate, abs=3e-8)
+    assert found["motor.torque"][3:] == pytest.approx(0.0, abs=1e-99)
+
+
 PENDULUM = """
 name = "pendulum"
 dimension = 2
