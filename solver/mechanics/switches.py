@@ -18,7 +18,7 @@ _TABLES = ("parameters", "constraints", "joints", "contacts", "forces", "drivers
 
 def names_of_switches(parts: Parts, switches: Iterable[Switch]) -> tuple[str, ...]:
     """Return what each switch is called in a sentence, such as ``force 'f': t < 0.6``."""
-    found = [(x.name, str(_readable(parts, x.operation))) for x in switches]
+    found = [(x.kink.name if x.kink else "", str(_readable(parts, x.operation))) for x in switches]
     owners = _owners(parts.scene) if found else {}
     return tuple(name or named(owners.get(text, ""), text) for name, text in found)
 

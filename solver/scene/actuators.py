@@ -82,6 +82,7 @@ class Actuator(Part):
             help = 'write points = ["A", "B"], joint = "hinge" or guide = "slide"'
             draft.error((*path, along[1]) if along else path, message, help)
             return
+        reader.in_unit((*path, "value"), given.value, "N.m" if along == ["joint"] else "N")
         wrong = ["max_force"] if along == ["joint"] else ["max_torque", "ratio", "efficiency"]
         for name in wrong:
             if getattr(given, name) is not None:

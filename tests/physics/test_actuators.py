@@ -54,7 +54,7 @@ LIFTED = ["A.x", "A.vx", "lift.force", "lift.power", "lift.limited", "lift.lengt
 @pytest.mark.parametrize(
     ("settings", "within"),
     [
-        ({"order": 4, "internal_step": 0.05}, 2e-7),  # a step ends at the switch, 0.2 s
+        ({"order": 4, "internal_step": 0.05}, 2e-7),
         ({"order": 4, "internal_step": 0.025}, 1.3e-8),
         ({"tolerance": 1e-4}, 3e-4), ({"tolerance": 1e-6}, 3e-6), ({"tolerance": 1e-8}, 3e-8),
         ({"tolerance": 1e-8, "method": "fastest"}, 3e-8),
@@ -73,6 +73,17 @@ def test_a_cylinder_is_at_its_force_and_then_at_its_power(
     assert found["lift.force"][[1, -1]] == pytest.approx([100.0, 200.0 / 6.0], rel=6.0 * within)
     assert found["lift.power"][-1] == pytest.approx(200.0, rel=1e-12)
     assert np.array_equal(found["lift.length"], found["A.x"])
+
+
+@pytest.mark.parametrize(("order", "within"), [(4, 1e-8), (6, 1e-11), (8, 1e-12)])
+def test_equal_steps_end_where_force_goes_over_into_power(order: int, within: float) -> None:
+    """With 11 kg that is at 0.22 s, within a step; then m v v' = P, and no order is lost."""
+    text = LIFT.replace("mass = 10.0", "mass = 11.0")
+    found = run(text, 1.0, 10, LIFTED, order=order, internal_step=0.05)
+    rate = math.sqrt(4.0 + 400.0 * 0.78 / 11.0)
+    way = 0.5 * 2.0 * 0.22 + (rate**3 - 8.0) * 11.0 / 600.0
+    assert found["A.vx"][-1] == pytest.approx(rate, rel=within)
+    assert found["A.x"][-1] - 1.0 == pytest.approx(way, rel=3.0 * within)
 
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8])
@@ -215,6 +226,8 @@ def test_a_strong_controller_is_stable_at_any_step() -> None:
         ('joint = "hinge"', "'value' is missing"),
         ('joint = "hinge", value = 1, max_force = 3', "about 'joint' has no force"),
         ('guide = "hinge", value = 1', "has no displacement"),
+        ('joint = "hinge", value = "5 kN"', "value: is 5 kN, and must be in N.m"),
+        ('points = ["ground","A"], at = [0,0], value = "5 N.m"', "is 5 N.m, and must be in N"),
         ('joint = "hinge", value = 1, ratio = 0', "must be other than 0"),
         ('joint = "hinge", value = 1, efficiency = 1.2', "above 0, and at most 1"),
         ('joint = "hinge", value = 1, max_torque = -2', "must be > 0 N.m, got -2"),
