@@ -8,19 +8,26 @@ both acts, and friction of half their difference holds or takes energy.
 
 from __future__ import annotations
 
+from sys import float_info
+
 from solver.mechanics.force_laws import add_drive
 from solver.mechanics.formulas import leaf_symbol, sensed, with_symbols
 from solver.mechanics.mechanism import Element, Formula, Friction, Scale
 from solver.mechanics.parts import ForceLaw, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.runtime.layout import LEAF_RATE
-from solver.scene import Actuator, Expr, Number, symbols
+from solver.scene import Actuator, Expr, Number
 from solver.scene.expression import operate, select, symbol
 
 _RATE = symbol("rate")
 _LEAST_RATE = 1e-9
 """Rate at and below which the power of an actuator without a largest force is that of this rate
 [m/s, rad/s]."""
+_LEAST_POWER = 1e-100
+"""What counts as no power [W]; its square is a number, as derivatives of quotients need."""
+_KEEPS_ON = float_info.min
+"""Static coefficient of a gear's friction: nothing, but a friction with neither a coefficient nor a
+preload is off until the next event, and a motor may begin at a force of 0."""
 
 
 def add_actuator(rows: Rows, actuator: Actuator, _: JointParts) -> None:
@@ -88,16 +95,16 @@ def _strength(actuator: Actuator) -> Number | None:
 def _limit(actuator: Actuator) -> Number | None:
     """Return the largest force at a rate; None without one.
 
-    Of a largest force F and power P it is P/max(|rate|, P/F), which has a slope at rest.
+    Of a largest force F and power P it is F P/max(F |rate|, P), which has a slope at rest, and a
+    value where F or P is 0.
     """
     strength, power = _strength(actuator), actuator.max_power
     if power is None:
         return strength
-    least = _LEAST_RATE if strength is None else operate("div", power, strength)
-    if isinstance(strength, Expr) and "rate" in symbols(strength):
-        at_power = operate("div", power, operate("max", operate("abs", _RATE), _LEAST_RATE))
-        return operate("min", strength, at_power)
-    return operate("div", power, operate("max", operate("abs", _RATE), least))
+    power, speed = operate("max", power, _LEAST_POWER), operate("abs", _RATE)
+    if strength is None:
+        return operate("div", power, operate("max", speed, _LEAST_RATE))
+    return operate("div", strength * power, operate("max", strength * speed, power))
 
 
 def _passed_on(actuator: Actuator) -> tuple[Number, Number]:
@@ -114,4 +121,4 @@ def _add_gear_losses(rows: Rows, quantity: int, size: Number, scale: Scale) -> N
     own = {"rate": rate}
     rows.parts.rubbing[rows.name] = len(mechanism.frictions), 1.0
     preload = sensed(rows.parts, size, own)
-    mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, 0.0, preload))
+    mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, _KEEPS_ON, preload))

@@ -23,7 +23,7 @@ def names_of_switches(
 
     Those of `clocks` have names, by their places.
     """
-    found = [(x.name, str(_readable(parts, x.operation))) for x in switches]
+    found = [(x.kink.name if x.kink else "", str(_readable(parts, x.operation))) for x in switches]
     owners = _owners(parts.scene) if found else {}
     return tuple(
         clocks.get(k) or name or named(owners.get(text, ""), text)

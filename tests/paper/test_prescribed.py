@@ -282,6 +282,19 @@ def test_a_contact_that_yields_is_taken_if_it_has_no_damping():
         by_paper(DAMPED, 0.002)
 
 
+@pytest.mark.parametrize(
+    "law",
+    [
+        'type = "damper", points = ["ground", "A"], at = [0, 1], force = "rate*abs(rate)"',
+        'type = "actuator", points = ["ground", "A"], at = [0, 1], value = "2 - rate"',
+    ],
+)
+def test_a_law_of_a_rate_is_refused_as_it_is_no_energy(law):
+    text = PUSHED.replace("VALUE", "1") + f"pad = {{ {law} }}\n"
+    with pytest.raises(OptionError, match=r"force 'pad': .* no laws of dampers.*leave out"):
+        by_paper(text, 0.02)
+
+
 def test_as_many_scenes_are_taken_and_refused_as_the_page_says():
     taken, refused = [], []
     for path in sorted(SCENES.glob("*.toml")):
