@@ -253,6 +253,24 @@ damper = { type = "damper", points = ["O", "A"], force = "drag" }
     assert found.message == "unknown symbol 'rate' (in the expression 'drag')"
 
 
+def test_an_expression_that_is_called_as_a_symbol_of_a_damper_is_one_mistake():
+    text = """
+name = "own"
+dimension = 2
+[expressions]
+rate = "3*2"
+[points]
+A = { position = [1, 1], mass = 1 }
+[forces]
+slow = { type = "damper", points = ["ground", "A"], at = [0, 0], force = "2*rate" }
+"""
+    with pytest.raises(SceneError) as caught:
+        loads(text)
+    (found,) = caught.value.problems
+    message = "'rate' has a meaning of its own here, and is the name of an expression"
+    assert (found.location, found.message) == ("forces.slow.force", message)
+
+
 def test_a_named_expression_may_mention_the_symbols_of_every_place():
     parts = [part for table in TABLES.values() for part in table.types]
     kinds = [field.kind for part in parts for field in fields_of(part).values()]
