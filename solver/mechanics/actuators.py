@@ -125,5 +125,6 @@ def _add_gear_losses(rows: Rows, quantity: int, size: Number) -> None:
     row = rows.velocity(Formula(leaf_symbol(0), (rate,)), RADIANS)
     own = {rules.RATE: rate}
     rows.parts.rubbing[rows.name] = len(mechanism.frictions), 1.0
+    rows.parts.derived.append((rows.title, size))
     preload = sensed(rows.parts, size, own)
     mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, _KEEPS_ON, preload))

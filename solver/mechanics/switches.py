@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from solver.mechanics.formulas import rewritten
 from solver.mechanics.parts import Parts
 from solver.mechanics.tape import SWITCHING, Switch
-from solver.scene import Expr, Scene
+from solver.scene import Expr
 from solver.scene.expression import symbol
 from solver.scene.scene import NOUNS
 
@@ -24,7 +24,7 @@ def names_of_switches(
     Those of `clocks` have names, by their places.
     """
     found = [(x.kink.name if x.kink else "", str(_readable(parts, x.operation))) for x in switches]
-    owners = _owners(parts.scene) if found else {}
+    owners = _owners(parts) if found else {}
     return tuple(
         clocks.get(k) or name or named(owners.get(text, ""), text)
         for k, (name, text) in enumerate(found)
@@ -45,13 +45,16 @@ def _readable(parts: Parts, operation: Expr) -> object:
     )
 
 
-def _owners(scene: Scene) -> dict[str, str]:
+def _owners(parts: Parts) -> dict[str, str]:
     """Return the first part in which each operation stands that jumps or has a kink."""
     owners: dict[str, str] = {}
     for table in _TABLES:
-        for name, part in getattr(scene, table).items():
+        for name, part in getattr(parts.scene, table).items():
             for operation in operations_that_switch(part):
                 owners.setdefault(str(operation), f"{NOUNS[table]} '{name}'")
+    for title, number in parts.derived:
+        for operation in operations_that_switch(number):
+            owners.setdefault(str(operation), title)
     return owners
 
 
