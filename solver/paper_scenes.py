@@ -13,9 +13,8 @@ from solver.paper.problem import Functions, Method, Problem, check
 from solver.paper.step import Moment, step
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.layout import STORES
+from solver.scene import Actuator, Damper, Scene, TorsionDamper
 
-OF_LAWS = "dampers with a law of their own, or actuators"
-"""What is told in place of names: a model does not tell which of its forces are laws."""
 OF_DAMPED = "damping must be >= 0 s/m", "impact_speed must"
 """How rules begin that compliant contacts with a damping have."""
 
@@ -29,13 +28,12 @@ def refusal(model: Model, depth_damping: Sequence[float]) -> str:
     first = size["n_form_rows"] + size["dim"] * size["n_coincidences"]
     contacts = [first + j - size["n_elements"] for j in model.tables["contact_row"]]
     velocities = model.rows[first + size["n_function_rows"] :]
-    has_laws = any(role != STORES for role in model.tables["force_role"])
     damped = [rule.name for rule in model.rules if rule.message.startswith(OF_DAMPED)]
     found = {
         "contacts, which open and close": [model.rows[j].name for j in contacts],
         "rolling and friction, which are rows of velocities": [row.name for row in velocities],
         "damped contacts, whose damping never pulls": damped if any(depth_damping) else [],
-        "forces that are solved within a step": [OF_LAWS] if has_laws else [],
+        "laws of dampers and actuators, which are no energies": _forces_by_law(model),
     }
     message = "; ".join(
         f"{_listed([*dict.fromkeys(names)])}: the paper's method takes no {what}"
@@ -43,6 +41,21 @@ def refusal(model: Model, depth_damping: Sequence[float]) -> str:
         if names
     )
     return message and message + "; the core does: leave out 'formulation'"
+
+
+def _forces_by_law(model: Model) -> list[str]:
+    """Return the dampers with a law and the actuators, where one of them reads the motion."""
+    scene = model.scene
+    if not isinstance(scene, Scene) or not any(
+        role != STORES for role in model.tables["force_role"]
+    ):
+        return []
+    laws = {Actuator: "value", Damper: "force", TorsionDamper: "torque"}
+    return [
+        f"force '{name}'"
+        for name, force in scene.forces.items()
+        if getattr(force, laws.get(type(force), ""), None) is not None
+    ]
 
 
 def _listed(names: Sequence[str]) -> str:

@@ -8,13 +8,15 @@ both acts, and friction of half their difference holds or takes energy.
 
 from __future__ import annotations
 
+from sys import float_info
+
 from solver.mechanics.force_laws import add_drive
 from solver.mechanics.formulas import leaf_symbol, sensed, with_symbols
 from solver.mechanics.mechanism import Element, Formula, Friction
 from solver.mechanics.parts import ForceLaw, JointParts, Parts
 from solver.mechanics.rows import RADIANS, Rows
 from solver.runtime.layout import LEAF_RATE
-from solver.scene import Actuator, Expr, Number, rules, symbols
+from solver.scene import Actuator, Expr, Number, rules
 from solver.scene.expression import operate, select, symbol
 
 RATE, MOTOR_SPEED = symbol(rules.RATE), symbol(rules.MOTOR_SPEED)
@@ -22,6 +24,11 @@ RATE, MOTOR_SPEED = symbol(rules.RATE), symbol(rules.MOTOR_SPEED)
 _LEAST_RATE = 1e-9
 """Rate at and below which the power of an actuator without a largest force is that of this rate
 [m/s, rad/s]."""
+_LEAST_POWER = 1e-100
+"""What counts as no power [W]; its square is a number, as derivatives of quotients need."""
+_KEEPS_ON = float_info.min
+"""Static coefficient of a gear's friction: nothing, but a friction with neither a coefficient nor a
+preload is off until the next event, and a motor may begin at a force of 0."""
 
 
 def add_actuator(rows: Rows, actuator: Actuator, _: JointParts) -> None:
@@ -92,16 +99,16 @@ def _strength(actuator: Actuator) -> Number | None:
 def _limit(actuator: Actuator) -> Number | None:
     """Return the largest force at a rate; None without one.
 
-    Of a largest force F and power P it is P/max(|rate|, P/F), which has a slope at rest.
+    Of a largest force F and power P it is F P/max(F |rate|, P), which has a slope at rest, and a
+    value where F or P is 0.
     """
     strength, power = _strength(actuator), actuator.max_power
     if power is None:
         return strength
-    least = _LEAST_RATE if strength is None else operate("div", power, strength)
-    if isinstance(strength, Expr) and rules.RATE in symbols(strength):
-        at_power = operate("div", power, operate("max", operate("abs", RATE), _LEAST_RATE))
-        return operate("min", strength, at_power)
-    return operate("div", power, operate("max", operate("abs", RATE), least))
+    power, speed = operate("max", power, _LEAST_POWER), operate("abs", RATE)
+    if strength is None:
+        return operate("div", power, operate("max", speed, _LEAST_RATE))
+    return operate("div", strength * power, operate("max", strength * speed, power))
 
 
 def _passed_on(actuator: Actuator) -> tuple[Number, Number]:
@@ -118,5 +125,6 @@ def _add_gear_losses(rows: Rows, quantity: int, size: Number) -> None:
     row = rows.velocity(Formula(leaf_symbol(0), (rate,)), RADIANS)
     own = {rules.RATE: rate}
     rows.parts.rubbing[rows.name] = len(mechanism.frictions), 1.0
+    rows.parts.derived.append((rows.title, size))
     preload = sensed(rows.parts, size, own)
-    mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, 0.0, preload))
+    mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, _KEEPS_ON, preload))

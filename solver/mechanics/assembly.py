@@ -127,7 +127,7 @@ def unchecked_model(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Mod
     tables["input_course"] = array("i", courses)
     clocks = [numbers.tick(held) for held in mechanism.held]
     variables = tuple(variables_of(scene, table, structure, numbers))
-    for kink in mechanism.kinks:
+    for kink in sorted(mechanism.kinks, key=lambda x: x.is_of_energy):
         numbers.tape.add_kink(kink)
     switches = [*numbers.tape.switches.values()]
     if numbers.tape.has_more:
@@ -332,6 +332,9 @@ def sizes_of(
         "n_motion_switches": sum(
             x.motion is Motion.WITH_QUANTITIES for x in tape.switches.values()
         ),
-        "n_kinks": sum(bool(x.name) for x in tape.switches.values()),
+        "n_kinks": sum(x.kink is not None for x in tape.switches.values()),
+        "n_energy_kinks": sum(
+            x.kink is not None and x.kink.is_of_energy for x in tape.switches.values()
+        ),
     }
     return {name: known[name] for name in SIZES}

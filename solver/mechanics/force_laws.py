@@ -70,7 +70,7 @@ def _add(rows: Rows, quantity: int, law: ForceLaw, role: int) -> None:
         return
     found = formula(rows.parts, law.force, signals=False, own=law.own, along=quantity)
     rows.mechanism.potentials.append(found._replace(role=role))
-    add_kinks(rows, law.force, law.own)
+    add_kinks(rows, law.force, law.own, of_energy=False)
 
 
 def _must_resist(rows: Rows, force: Number) -> None:

@@ -1,8 +1,9 @@
-"""Kinks of energies: where abs, min, max or a profile of what moves goes over, steps may end.
+"""Kinks of energies and of forces: where abs, min, max or a profile of what moves goes over.
 
-Slopes of an energy over a step are exact across its kinks, so that it reads no side of them. What a
-kink costs is accuracy, and only steps that a tolerance chooses end there. A compliant contact has
-one where its gap is 0, and another where its damping takes all of its force.
+Slopes of an energy over a step are exact across its kinks, and a force that reads the step takes
+the means there: they read no side. What a kink costs is accuracy. All steps end at kinks of forces,
+and those that a tolerance chooses at those of energies, too. A compliant contact has one where its
+gap is 0, and another where its damping takes all of its force.
 """
 
 from __future__ import annotations
@@ -21,12 +22,14 @@ from solver.scene import Expr, Number
 from solver.scene.expression import operate, select
 
 
-def add_kinks(rows: Rows, energy: Number, own: Mapping[str, Meaning] | None = None) -> None:
-    """Note the kinks of an energy as it is written; `own` is what symbols mean in it alone."""
-    for operation in operations_that_switch(energy):
+def add_kinks(
+    rows: Rows, number: Number, own: Mapping[str, Meaning] | None = None, *, of_energy: bool = True
+) -> None:
+    """Note kinks of an energy or a force as it is written; `own` is what symbols mean in it."""
+    for operation in operations_that_switch(number):
         if operation.op != "spline" or has_knots(operation):
             found = sensed(rows.parts, operation, own, by_laws=False)
-            _note(rows, found, named(rows.title, str(operation)))
+            _note(rows, found, named(rows.title, str(operation)), of_energy=of_energy)
 
 
 def add_kinks_of_contact(rows: Rows, contact: CompliantContact, end: str) -> None:
@@ -42,6 +45,6 @@ def add_kinks_of_contact(rows: Rows, contact: CompliantContact, end: str) -> Non
     _note(rows, operate("max", share, 0.0), name)
 
 
-def _note(rows: Rows, operation: Number, name: str) -> None:
+def _note(rows: Rows, operation: Number, name: str, *, of_energy: bool = True) -> None:
     if isinstance(operation, Expr):
-        rows.mechanism.kinks.append(Kink(operation, name))
+        rows.mechanism.kinks.append(Kink(operation, name, of_energy))

@@ -81,11 +81,13 @@ class Formula(NamedTuple):
 
 
 class Kink(NamedTuple):
-    """An operation on sensors across which slopes of an energy are exact, though it has a kink."""
+    """An operation on sensors that has a kink, and whose value over a step reads no side of it."""
 
     operation: Expr
     name: str
     """What it is called in a sentence."""
+    is_of_energy: bool
+    """Whether slopes over a step are exact across it."""
 
 
 class Scale(NamedTuple):

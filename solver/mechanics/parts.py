@@ -90,6 +90,8 @@ class Parts:
     """Friction of a force with the sign of a rate, and the sign with which it acts along that."""
     force_laws: dict[str, ForceLaw] = field(default_factory=dict)
     """Of dampers and actuators that have a law of their own."""
+    derived: list[tuple[str, Number]] = field(default_factory=list)
+    """Numbers of laws that no part has as written, each with the title of its part."""
     contacts: dict[str, list[int]] = field(default_factory=dict)
     """Index among the mechanism's contacts; a stop with both ends has two."""
     compliant: dict[str, list[CompliantContact]] = field(default_factory=dict)

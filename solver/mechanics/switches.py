@@ -23,7 +23,7 @@ def names_of_switches(
 
     Those of `clocks` have names, by their places.
     """
-    found = [(x.name, str(_readable(parts, x.operation))) for x in switches]
+    found = [(x.kink.name if x.kink else "", str(_readable(parts, x.operation))) for x in switches]
     owners = _owners(parts) if found else {}
     return tuple(
         clocks.get(k) or name or named(owners.get(text, ""), text)
@@ -46,18 +46,15 @@ def _readable(parts: Parts, operation: Expr) -> object:
 
 
 def _owners(parts: Parts) -> dict[str, str]:
-    """Return the first part in which each operation stands that jumps or has a kink.
-
-    What holds in a force, as a gear within limits does, is not written in its part.
-    """
+    """Return the first part in which each operation stands that jumps or has a kink."""
     owners: dict[str, str] = {}
     for table in _TABLES:
         for name, part in getattr(parts.scene, table).items():
             for operation in operations_that_switch(part):
                 owners.setdefault(str(operation), f"{NOUNS[table]} '{name}'")
-    for name, (k, _) in parts.rubbing.items():
-        for operation in operations_that_switch(parts.mechanism.frictions[k].preload):
-            owners.setdefault(str(_readable(parts, operation)), f"{NOUNS['forces']} '{name}'")
+    for title, number in parts.derived:
+        for operation in operations_that_switch(number):
+            owners.setdefault(str(operation), title)
     return owners
 
 

@@ -65,8 +65,8 @@ class Switch(NamedTuple):
     segment: Segment
     motion: Motion
     operation: Expr
-    name: str
-    """Of a kink of an energy, which reads no side of it."""
+    kink: Kink | None
+    """That which reads no side of it."""
 
 
 def argument_of(number: Expr) -> Number:
@@ -132,8 +132,8 @@ class Tape:
         self._motion: dict[int, Motion] = dict(motion or {})
         self.switches: dict[tuple[int, Segment, int], Switch] = {}
         """By argument, segment and kind; each depends on those before it alone."""
-        self._kink = ""
-        """Name of the kink of an energy that is compiled."""
+        self._kink: Kink | None = None
+        """The one that is compiled."""
         self.has_more = False
         """Whether operations beyond `MOST_SWITCHES` are left as they are."""
         self._sides: dict[str, int] = {}
@@ -209,7 +209,7 @@ class Tape:
         may_switch = number.op in SWITCHING and (number.op != "spline" or has_knots(number))
         if may_switch and segment in (Segment.LAWS, Segment.SIGNALS):
             motion = max(self._motion.get(place, Motion.STANDS) for place in places)
-            may_switch = bool(self._kink) or len(self.switches) < MOST_SWITCHES
+            may_switch = self._kink is not None or len(self.switches) < MOST_SWITCHES
             if motion is not Motion.STANDS and may_switch:
                 return self._switched(number, wanted, motion)
             self.has_more |= motion is not Motion.STANDS
@@ -227,8 +227,8 @@ class Tape:
         return self._symbols(name) if side is None else (side, Segment.LAWS)
 
     def add_kink(self, kink: Kink) -> None:
-        """Add the switch of a kink of an energy. All laws and signals have been compiled."""
-        self._kink = kink.name
+        """Add the switch of a kink. All laws and signals have been compiled."""
+        self._kink = kink
         arguments = [self.compile(x) for x in self._operands(kink.operation, Segment.LAWS)]
         motion = max(self._motion.get(place, Motion.STANDS) for place, _ in arguments)
         if motion is Motion.WITH_QUANTITIES:

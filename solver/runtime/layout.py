@@ -98,7 +98,8 @@ SIZES = (
     "n_switches",  # conditions and kinks of formulas that change with the motion or time
     "switching",  # 1: there are some
     "n_motion_switches",  # of these, how many read quantities
-    "n_kinks",  # of these, the last ones, how many are of energies: with a tolerance alone
+    "n_kinks",  # of these, the last ones, how many have no side: kinks of forces, then of energies
+    "n_energy_kinks",  # of these, the last ones, how many are of energies: with a tolerance alone
 )
 """Integers of a model."""
 

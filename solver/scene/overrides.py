@@ -99,8 +99,9 @@ def _target(data: dict[str, Any], path: Path) -> Path | None:
 
 
 def _with_units(data: dict[str, Any], path: Path, value: object) -> object:
-    """Let a parameter or input keep the units that its literal gave it, under a plain number."""
-    if path[0] not in ("parameters", "inputs") or type(value) not in (int, float):
+    """Let a parameter or input keep the unit that its literal gave it, under another number."""
+    is_literal = isinstance(value, str) and literal(value) is not None
+    if path[0] not in ("parameters", "inputs") or not (is_literal or type(value) in (int, float)):
         return value
     table = data.get(path[0])
     part = table.get(path[1]) if isinstance(table, dict) else None
@@ -110,7 +111,7 @@ def _with_units(data: dict[str, Any], path: Path, value: object) -> object:
     if found is None or (len(path) == 3 and path[2] != _BY_NAME[path[0]]):
         return value
     units = {"unit": si_unit(found.unit)}
-    if found.unit != units["unit"]:
+    if found.unit != units["unit"] and not is_literal:
         units["display_unit"] = found.unit
     if is_short:
         return {"value": value, **units}

@@ -282,26 +282,17 @@ def test_a_contact_that_yields_is_taken_if_it_has_no_damping():
         by_paper(DAMPED, 0.002)
 
 
-FORCED = """
-name = "forced"
-dimension = 2
-[points]
-A = { position = [1, 0], velocity = [1, 0], mass = 1.0 }
-[forces.law]
-points = ["ground", "A"]
-at = [0, 0]
-"""
-
-
 @pytest.mark.parametrize(
     "law",
-    ['type = "damper"\nforce = "rate**3"', 'type = "actuator"\nvalue = "-rate"'],
-    ids=["damper", "actuator"],
+    [
+        'type = "damper", points = ["ground", "A"], at = [0, 1], force = "rate*abs(rate)"',
+        'type = "actuator", points = ["ground", "A"], at = [0, 1], value = "2 - rate"',
+    ],
 )
-def test_a_force_that_is_solved_within_a_step_is_refused(law):
-    # As a potential its value would be an energy.
-    with pytest.raises(OptionError, match=r"law of their own.* no forces that are solved within"):
-        by_paper(FORCED + law, 0.01)
+def test_a_law_of_a_rate_is_refused_as_it_is_no_energy(law):
+    text = PUSHED.replace("VALUE", "1") + f"pad = {{ {law} }}\n"
+    with pytest.raises(OptionError, match=r"force 'pad': .* no laws of dampers.*leave out"):
+        by_paper(text, 0.02)
 
 
 def test_as_many_scenes_are_taken_and_refused_as_the_page_says():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -41,7 +42,7 @@ load = {{ type = "joint_torque", joint = "hinge", value = {load} }}
 """
 
 
-def run(text: str, stop: float, points: int, names: list[str], **settings: object) -> dict:
+def run(text: str, stop: float, points: int, names: list[str], **settings: Any) -> dict:
     names = [*names, "energy.error", "energy.work"]
     return solver.simulate(
         solver.loads(text), stop_time=stop, step_size=stop / points, outputs=names, **settings
@@ -54,14 +55,14 @@ LIFTED = ["A.x", "A.vx", "lift.force", "lift.power", "lift.limited", "lift.lengt
 @pytest.mark.parametrize(
     ("settings", "within"),
     [
-        ({"order": 4, "internal_step": 0.05}, 2e-7),  # a step ends at the switch, 0.2 s
+        ({"order": 4, "internal_step": 0.05}, 2e-7),
         ({"order": 4, "internal_step": 0.025}, 1.3e-8),
         ({"tolerance": 1e-4}, 3e-4), ({"tolerance": 1e-6}, 3e-6), ({"tolerance": 1e-8}, 3e-8),
         ({"tolerance": 1e-8, "method": "fastest"}, 3e-8),
     ],
 )  # fmt: skip
 def test_a_cylinder_is_at_its_force_and_then_at_its_power(
-    settings: dict[str, object], within: float
+    settings: dict[str, Any], within: float
 ) -> None:
     """It has F until F v = P at 0.2 s, then m v v' = P: v(1) = 6 and x(1) = 11/3, work 180."""
     found = run(LIFT, 1.0, 10, LIFTED, **settings)
@@ -75,6 +76,17 @@ def test_a_cylinder_is_at_its_force_and_then_at_its_power(
     assert found["lift.force"][[1, -1]] == pytest.approx([100.0, 200.0 / 6.0], rel=6.0 * within)
     assert found["lift.power"][-1] == pytest.approx(200.0, rel=1e-12)
     assert np.array_equal(found["lift.length"], found["A.x"])
+
+
+@pytest.mark.parametrize(("order", "within"), [(4, 1e-8), (6, 1e-11), (8, 1e-12)])
+def test_equal_steps_end_where_force_goes_over_into_power(order: int, within: float) -> None:
+    """With 11 kg that is at 0.22 s, within a step; then m v v' = P, and no order is lost."""
+    text = LIFT.replace("mass = 10.0", "mass = 11.0")
+    found = run(text, 1.0, 10, LIFTED, order=order, internal_step=0.05)
+    rate = math.sqrt(4.0 + 400.0 * 0.78 / 11.0)
+    way = 0.5 * 2.0 * 0.22 + (rate**3 - 8.0) * 11.0 / 600.0
+    assert found["A.vx"][-1] == pytest.approx(rate, rel=within)
+    assert found["A.x"][-1] - 1.0 == pytest.approx(way, rel=3.0 * within)
 
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8])
@@ -96,9 +108,7 @@ def test_a_motor_falls_along_its_torque_curve(tolerance: float) -> None:
     [({"order": 2, "internal_step": 0.01}, 0.009), ({"tolerance": 1e-8}, 3e-7)],  # a step at rest
 )
 @pytest.mark.parametrize("u", [0.5, 0.3, 0.22, 0.1, -0.2])
-def test_a_gear_holds_what_lies_between(
-    u: float, settings: dict[str, object], within: float
-) -> None:
+def test_a_gear_holds_what_lies_between(u: float, settings: dict[str, Any], within: float) -> None:
     """At ratio 20 and efficiency 0.8 it drives with 16 u, gives way at 25 u, and holds between."""
     fields = 'value = "u", ratio = 20, efficiency = 0.8'
     text = WHEEL.format(u=u, inertia=0.5, fields=fields, load=-5)
@@ -112,6 +122,44 @@ def test_a_gear_holds_what_lies_between(
     assert found["motor.motor_speed"][-1] == 20.0 * found["hinge.angular_velocity"][-1]
     assert np.all(np.diff(found["energy.friction"]) >= 0.0)
     assert found["energy.error"].max() < 1e-13
+
+
+@pytest.mark.parametrize("settings", [{"tolerance": 1e-8}, {"order": 4, "internal_step": 0.01}])
+@pytest.mark.parametrize("load", ["0", "0.5*sin(2*t)"])
+def test_a_gear_rubs_also_where_its_motor_begins_without_a_torque(
+    load: str, settings: dict[str, object]
+) -> None:
+    """J w' = n e u + M with u = 0.8 sin 2t, from rest; friction of n u (1/e - e)/2 is taken."""
+    fields = 'value = "0.8*sin(2*t)", ratio = 5, efficiency = 0.8'
+    text = WHEEL.format(u=0, inertia=0.5, fields=fields, load=f'"{load}"')
+    names = ["hinge.angle", "hinge.angular_velocity", "energy.friction"]
+    found = run(text, 1.0, 10, names, **settings)
+    size = (3.2 + (0.5 if load != "0" else 0.0)) / (0.5 * 2.0)
+    rate, angle = size * (1.0 - math.cos(2.0)), size * (1.0 - 0.5 * math.sin(2.0))
+    assert found["hinge.angular_velocity"][-1] == pytest.approx(rate, rel=1e-7)
+    assert found["hinge.angle"][-1] == pytest.approx(angle, rel=1e-7)
+    # the integral of sin 2t (1 - cos 2t) is (1 - cos 2)^2/4
+    lost = 5.0 * 0.8 * (1.25 - 0.8) / 2.0 * size * (1.0 - math.cos(2.0)) ** 2 / 4.0
+    assert found["energy.friction"][-1] == pytest.approx(lost, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("limits", "rate"),
+    [
+        ('max_power = "0.5 - t"', math.sqrt(1.5)),  # J w w' = P until P = 0
+        ('max_torque = 2, max_power = "0.5 - t"', math.sqrt(1.5)),
+        ('max_torque = "0.5 - t"', 1.25),  # J w' = M until M = 0
+        ('max_torque = "0.5 - t", max_power = 9', 1.25),
+        ('max_torque = "0.5 - t", max_power = "0.9 - t"', 1.25),
+    ],
+)
+def test_a_limit_that_falls_below_0_leaves_nothing(limits: str, rate: float) -> None:
+    """At 0.5 s the motor has nothing left, and the wheel goes on as it is; from 1 rad/s."""
+    text = WHEEL.format(u=0, inertia=0.5, fields=f"value = 1, {limits}", load=0)
+    text = text.replace("mass = 1", "mass = 1, angular_velocity = 1")
+    found = run(text, 1.0, 4, ["hinge.angular_velocity", "motor.torque"], tolerance=1e-8)
+    assert found["hinge.angular_velocity"][2:] == pytest.approx(rate, abs=3e-8)
+    assert found["motor.torque"][3:] == pytest.approx(0.0, abs=1e-99)
 
 
 PENDULUM = """
@@ -180,8 +228,9 @@ def test_a_strong_controller_is_stable_at_any_step() -> None:
         ('joint = "hinge"', "'value' is missing"),
         ('joint = "hinge", value = 1, max_force = 3', "about 'joint' has no force"),
         ('joint = "hinge", value = "5 kN"', "is 5 kN, and must be in N.m"),
-        ('points = ["ground","A"], at = [0,0], value = "5 N.m"', "is 5 N.m, and must be in N"),
         ('guide = "hinge", value = 1', "has no displacement"),
+        ('joint = "hinge", value = "5 kN"', "value: is 5 kN, and must be in N.m"),
+        ('points = ["ground","A"], at = [0,0], value = "5 N.m"', "is 5 N.m, and must be in N"),
         ('joint = "hinge", value = 1, ratio = 0', "must be other than 0"),
         ('joint = "hinge", value = 1, efficiency = 1.2', "above 0, and at most 1"),
         ('joint = "hinge", value = 1, max_torque = -2', "must be > 0 N.m, got -2"),

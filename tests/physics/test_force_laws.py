@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -54,7 +55,7 @@ valve = { x = [-4, -1, 0, 1, 4], y = [-2.5, -1, 0, 1.5, 3], interpolation = "mon
 """
 
 
-def run(text: str, stop: float, points: int = 1, **settings: object) -> dict[str, np.ndarray]:
+def run(text: str, stop: float, points: int = 1, **settings: Any) -> dict[str, np.ndarray]:
     outputs = ["energy.error", "energy.dissipated", "energy.work", *names(text)]
     return solver.simulate(
         solver.loads(text), stop_time=stop, step_size=stop / points, outputs=outputs, **settings
@@ -112,7 +113,7 @@ def test_a_curve_and_its_damper_keep_a_tolerance(tolerance: float, method: str) 
     ],
 )  # fmt: skip
 def test_a_strong_damper_takes_all_of_a_shot_at_any_step(
-    settings: dict[str, object], within: float
+    settings: dict[str, Any], within: float
 ) -> None:
     """M v' = -a v - b v^3 stops after m atan(v sqrt(b/a))/sqrt(a b), and takes m v^2/2."""
     a, b = 200.0, 3.0

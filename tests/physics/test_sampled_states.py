@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -68,7 +69,7 @@ def recursion(flow: Flow, stop: float, ki: float, most: float) -> tuple[float, f
     return x, v, integral
 
 
-def moved(text: str, stop: float, step: float, **settings: object) -> tuple[float, float]:
+def moved(text: str, stop: float, step: float, **settings: Any) -> tuple[float, float]:
     found = solver.simulate(
         solver.loads(text), stop_time=stop, step_size=step, outputs=["A.x", "A.vx"], **settings
     )

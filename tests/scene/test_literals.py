@@ -355,6 +355,22 @@ def test_a_plain_number_in_place_of_a_literal_keeps_the_units(name):
     assert other.values()[word] == 1.5
 
 
+@pytest.mark.parametrize("text", ['"500 mm"', '{ value = "500 mm" }'])
+def test_an_override_measures_what_the_literal_in_its_place_does(text):
+    scene = f"""
+name = "o"
+dimension = 2
+[parameters]
+length = {text}
+[points]
+A = {{ position = ["length", 0], mass = 1 }}
+"""
+    with pytest.raises(SceneError, match="is 70 kg, and must be in m"):
+        loads(scene, overrides={"length": "70 kg"})
+    found = loads(scene, overrides={"length": "70 cm"}).parameters["length"]
+    assert (found.unit, found.display_unit) == ("m", "cm")
+
+
 def test_a_parameter_in_a_unit_that_nothing_uses_is_told():
     with pytest.warns(SceneWarning, match="parameters.spare: nothing depends on it"):
         loads(WITH_UNITS.replace("[parameters]", '[parameters]\nspare = "3 mm"'))

@@ -70,6 +70,7 @@ static int has_sizes(const checker *c)
            && m->fits_velocities <= 1
            && m->switching == (m->n_switches > 0) && m->n_motion_switches <= m->n_switches
            && m->n_kinks <= m->n_motion_switches
+           && m->n_energy_kinks <= m->n_kinks
            && DIM * (int64_t)m->n_driven <= m->n_signals;
 }
 

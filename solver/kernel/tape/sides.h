@@ -11,10 +11,10 @@ typedef struct switch_place {
 static inline const switch_place *switch_of(const context *c, int32_t k)
 { return (const switch_place *)(const void *)c->m->switch_table + k; }
 
-/* Kinks of energies that steps end at: those of a tolerance. Slopes of energies are exact across
-   them. */
+/* Kinks that steps end at. Those of energies are of steps of a tolerance alone: slopes of energies
+   are exact across them. */
 static inline int32_t n_kinks(const context *c)
-{ return c->tolerance > 0.0 ? c->m->n_kinks : 0; }
+{ return c->m->n_kinks - (c->tolerance > 0.0 ? 0 : c->m->n_energy_kinks); }
 
 /* Switches that steps end at, and of these how many read the motion. */
 static inline int32_t n_switches(const context *c)
