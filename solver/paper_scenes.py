@@ -13,7 +13,7 @@ from solver.paper.problem import Functions, Method, Problem, check
 from solver.paper.step import Moment, step
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.layout import STORES
-from solver.scene import Actuator, Damper, TorsionDamper
+from solver.scene import Actuator, Damper, Scene, TorsionDamper
 
 OF_DAMPED = "damping must be >= 0 s/m", "impact_speed must"
 """How rules begin that compliant contacts with a damping have."""
@@ -46,7 +46,7 @@ def refusal(model: Model, depth_damping: Sequence[float]) -> str:
 def _forces_by_law(model: Model) -> list[str]:
     """Return the dampers with a law and the actuators, where one of them reads the motion."""
     scene = model.scene
-    if scene is None or not any(role != STORES for role in model.tables["force_role"]):
+    if not isinstance(scene, Scene) or not any(role != STORES for role in model.tables["force_role"]):
         return []
     laws = {Actuator: "value", Damper: "force", TorsionDamper: "torque"}
     return [
