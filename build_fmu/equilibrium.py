@@ -106,9 +106,11 @@ def _kinds(model: Model) -> dict[str, str]:
 
 
 def driver_names(model: Model) -> list[str]:
-    """Names of the drivers: nothing else has a power."""
-    powers = (v.name for v in model.variables if v.causality == "output" and v.unit == "W")
-    return [name.removesuffix(".power") for name in powers if name.endswith(".power")]
+    """Names of the drivers: of what has a power, all but forces, and joints that rub."""
+    units = {v.name: v.unit for v in model.variables if v.causality == "output"}
+    powers = (name for name, unit in units.items() if unit == "W" and name.endswith(".power"))
+    found = (name.removesuffix(".power") for name in powers)
+    return [name for name in found if name not in model.forces and f"{name}.slip" not in units]
 
 
 def _place(variable: Variable, kinds: Mapping[str, str]) -> tuple[str, str, str]:

@@ -30,12 +30,14 @@ from solver.scene import (
     Rolling,
     Scene,
     Spring,
+    TorsionDamper,
     TorsionSpring,
 )
 from solver.scene.grammar import read
 from solver.scene.mistakes import location_of
 from solver.scene.positions import STRING, Path, spans_of
 from solver.scene.rewriting import AsIs, Written, less, value_of
+from solver.scene.rules import ANGLE
 
 ROUND_OFF = 1e-12
 """Of the size of the mechanism, or 1 rad: what moved by less stays as it is written."""
@@ -52,6 +54,7 @@ LINEAR, SPINS = ("vx", "vy", "vz"), ("wx", "wy", "wz", "angular_velocity")
 TABLES_WITH_PLACES = ("joints", "forces", "drivers", "contacts", "sensors")
 TABLES_WITH_FORMULAS = (
     "expressions",
+    "states",
     "constraints",
     "contacts",
     "forces",
@@ -284,7 +287,7 @@ class Edit:
                 continue
             new = self.values.get(path)
             if isinstance(new, str):
-                changed = self._changed(new)
+                changed = self._changed(path, new)
                 if changed != new:
                     self.values[path] = changed
             elif new is None:
@@ -298,24 +301,32 @@ class Edit:
         if token[0].startswith("#"):
             return token[0]
         given = value_of(token[0], self._source.notation)
-        changed = self._changed(str(given))
+        changed = self._changed(path, str(given))
         if changed == given:
             return token[0]
         new = json.dumps(changed, ensure_ascii=False)
-        names = [x for x in self._counts if rf"({x} " in changed]
+        names = [x for name, x in self._read_in(path).items() if rf"({name} " in changed]
         self._tell(path, new, f"replaces {token[0]}", *names)
         return new
 
-    def _changed(self, formula: str) -> str:
+    def _read_in(self, path: Path) -> dict[str, str]:
+        """Counts of joints that have moved, by what a formula calls them."""
+        found = {count: count for count in self._counts}
+        force = self._scene.forces.get(str(path[1])) if path[0] == "forces" else None
+        own = f"{force.joint}.{ANGLE}" if isinstance(force, TorsionDamper) else ""
+        return found | ({ANGLE: own} if own in self._counts else {})
+
+    def _changed(self, path: Path, formula: str) -> str:
         """Return a formula that reads the old counts of joints."""
+        read_in = self._read_in(path)
         try:
             mentions = read(formula, self._curves).mentions
         except ExpressionError:  # it is none, such as the name of a joint
             return formula
         for mention in sorted(mentions, key=lambda x: -x.column):
-            if mention.role == "symbol" and mention.name in self._counts:
-                at, count = mention.column - 1, self._counts[mention.name]
-                name = re.compile(r"\w+\s*\.\s*\w+").match(formula, at)
+            if mention.role == "symbol" and mention.name in read_in:
+                at, count = mention.column - 1, self._counts[read_in[mention.name]]
+                name = re.compile(r"\w+(\s*\.\s*\w+)?").match(formula, at)
                 assert name is not None, mention
                 sign = "+" if count > 0.0 else "-"
                 changed = f"({mention.name} {sign} {abs(count)!r})"

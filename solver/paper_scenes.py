@@ -1,4 +1,4 @@
-"""Scenes by the method of `solver.paper`: all but contacts, friction and rolling."""
+"""Scenes by the method of `solver.paper`: all but contacts, friction, rolling and force laws."""
 
 from __future__ import annotations
 
@@ -46,7 +46,9 @@ def refusal(model: Model, depth_damping: Sequence[float]) -> str:
 def _forces_by_law(model: Model) -> list[str]:
     """Return the dampers with a law and the actuators, where one of them reads the motion."""
     scene = model.scene
-    if not isinstance(scene, Scene) or not any(role != STORES for role in model.tables["force_role"]):
+    if not isinstance(scene, Scene) or not any(
+        role != STORES for role in model.tables["force_role"]
+    ):
         return []
     laws = {Actuator: "value", Damper: "force", TorsionDamper: "torque"}
     return [

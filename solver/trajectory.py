@@ -218,8 +218,9 @@ def simulate(
     RuntimeWarning
         Where dampers keep all steps at order 2, or a smooth input gets straight lines.
     """
-    model = mechanism
-    if not isinstance(model, Model):
+    if isinstance(mechanism, Model):
+        model = mechanism
+    else:
         model = assemble(_scene(mechanism), outputs or ())
     integrator = Integrator(model)
     by_paper = bool({*PAPER} & options.keys())

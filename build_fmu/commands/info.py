@@ -123,7 +123,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
 
 
 def _rubbing(model: Model) -> list[str]:
-    """Sentences on forces of which the sign of a rate became friction (``mechanics/rubbing``)."""
+    """Sentences on forces of which the sign of a rate, or a gear, became friction."""
     tables = (model.rows, model.tables["row_power"], model.tables["row_owner"])
     last = zip(*(table[::-1] for table in tables), strict=False)  # rows that may be off are last
     rows = [found for found in last if found[0].location.startswith("forces.")][::-1]
@@ -134,9 +134,12 @@ def _rubbing(model: Model) -> list[str]:
     preload = model.offsets["preload"] - model.sizes["n_contacts"]
     sentences = []
     for row, power, owner in rows:
-        rate, unit = row.detail.removeprefix(" along "), "N" if power else "N.m"
-        holds = f"holds up to {integrator.numbers[preload + owner]:.6g} {unit} where {rate} is 0"
-        sentences.append(f"{row.name}: the sign of {rate} is friction, which {holds}")
+        _, is_sign, rate = row.detail.partition(" along ")
+        most = f"{integrator.numbers[preload + owner]:.6g} {'N' if power else 'N.m'}"
+        sentence = f"its gear is friction, which holds up to {most} at the start"
+        if is_sign:
+            sentence = f"the sign of {rate} is friction, which holds up to {most} where {rate} is 0"
+        sentences.append(f"{row.name}: {sentence}")
     return sentences
 
 

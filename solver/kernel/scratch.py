@@ -24,6 +24,8 @@ WORK = {
     "argument_begin": "n_switches", "argument_low": "n_switches",  # of switches, at the start and
     "argument_high": "n_switches", "argument_tried": "n_switches",  # ends of steps: switch_event.h
     "argument_least": "2 * n_switches", "argument_largest": "2 * n_switches",  # each with its time
+    "held_next": "n_held",  # next values of sampled states
+    "side_before": "n_switches",  # of the switches, ahead of a change
     "by_rounding": "n_switches",  # whether a switch is off its side by rounding alone
     "switch_backup": "n_state * switching",  # before a step that a switch may cut
     "phi0": "n_rows", "phi": "n_rows",  # at the beginning, and the function that shall vanish

@@ -12,14 +12,15 @@ from sys import float_info
 
 from solver.mechanics.force_laws import add_drive
 from solver.mechanics.formulas import leaf_symbol, sensed, with_symbols
-from solver.mechanics.mechanism import Element, Formula, Friction, Scale
-from solver.mechanics.parts import ForceLaw, JointParts
-from solver.mechanics.rows import METRES, RADIANS, Rows
+from solver.mechanics.mechanism import Element, Formula, Friction
+from solver.mechanics.parts import ForceLaw, JointParts, Parts
+from solver.mechanics.rows import RADIANS, Rows
 from solver.runtime.layout import LEAF_RATE
-from solver.scene import Actuator, Expr, Number
+from solver.scene import Actuator, Expr, Number, rules
 from solver.scene.expression import operate, select, symbol
 
-_RATE = symbol("rate")
+RATE, MOTOR_SPEED = symbol(rules.RATE), symbol(rules.MOTOR_SPEED)
+"""What values and limits of actuators are written in."""
 _LEAST_RATE = 1e-9
 """Rate at and below which the power of an actuator without a largest force is that of this rate
 [m/s, rad/s]."""
@@ -34,16 +35,9 @@ def add_actuator(rows: Rows, actuator: Actuator, _: JointParts) -> None:
     """Add a force or torque along what an actuator acts on."""
     parts, mechanism = rows.parts, rows.mechanism
     if actuator.points is not None:
-        link = parts.links[rows.name] = parts.link(actuator.points)
-        quantity, scale = mechanism.length(link), METRES
-    else:
-        found = parts.joints[actuator.joint or actuator.guide or ""]
-        quantity, scale = found.angle, RADIANS
-        if actuator.guide is not None:
-            quantity, scale = found.displacement, METRES
-    assert quantity is not None
-    mechanism.use(quantity)
-    force = pushed(actuator)
+        parts.links[rows.name] = parts.link(actuator.points)
+    quantity = mechanism.use(acted_along(parts, rows.name, actuator))
+    force = _within_limits(actuator)
     mean, half = _passed_on(actuator)
     if rows.is_known(force):
         rows.finite((force,), "value")
@@ -53,10 +47,20 @@ def add_actuator(rows: Rows, actuator: Actuator, _: JointParts) -> None:
     else:
         add_drive(rows, quantity, mean * force)
     if isinstance(half, Expr) or half != 0.0:
-        _add_gear_losses(rows, quantity, half * operate("abs", force), scale)
+        _add_gear_losses(rows, quantity, half * operate("abs", force))
 
 
-def pushed(actuator: Actuator) -> Number:
+def acted_along(parts: Parts, name: str, actuator: Actuator) -> int:
+    """Return the quantity that an actuator acts along: a length, an angle or a displacement."""
+    if actuator.points is not None:
+        return parts.mechanism.length(parts.links[name])
+    found = parts.joints[actuator.joint or actuator.guide or ""]
+    quantity = found.angle if actuator.joint is not None else found.displacement
+    assert quantity is not None
+    return quantity
+
+
+def _within_limits(actuator: Actuator) -> Number:
     """Return the force or torque before losses of the gear, in ``rate`` and what else it reads."""
     value, limit = actuator.ratio * at_motor(actuator, actuator.value), _limit(actuator)
     if limit is None:
@@ -71,16 +75,16 @@ def limited(actuator: Actuator) -> Number:
     weak = 0.0 if strength is None else operate("gt", size, strength)
     if power is None:
         return weak
-    slow = operate("gt", operate("mul", size, operate("abs", _RATE)), power)
+    slow = operate("gt", operate("mul", size, operate("abs", RATE)), power)
     if strength is None:
         return 2.0 * slow
-    first = operate("gt", operate("mul", strength, operate("abs", _RATE)), power)
+    first = operate("gt", operate("mul", strength, operate("abs", RATE)), power)
     return select(slow, select(first, 2.0, 1.0), weak)
 
 
 def at_motor(actuator: Actuator, number: Number) -> Number:
     """Return a number in ``rate`` in the place of ``motor_speed``."""
-    return with_symbols(number, {symbol("motor_speed"): actuator.ratio * _RATE})
+    return with_symbols(number, {MOTOR_SPEED: actuator.ratio * RATE})
 
 
 def _strength(actuator: Actuator) -> Number | None:
@@ -101,7 +105,7 @@ def _limit(actuator: Actuator) -> Number | None:
     strength, power = _strength(actuator), actuator.max_power
     if power is None:
         return strength
-    power, speed = operate("max", power, _LEAST_POWER), operate("abs", _RATE)
+    power, speed = operate("max", power, _LEAST_POWER), operate("abs", RATE)
     if strength is None:
         return operate("div", power, operate("max", speed, _LEAST_RATE))
     return operate("div", strength * power, operate("max", strength * speed, power))
@@ -113,12 +117,13 @@ def _passed_on(actuator: Actuator) -> tuple[Number, Number]:
     return 0.5 * (1.0 / e + e), 0.5 * (1.0 / e - e)
 
 
-def _add_gear_losses(rows: Rows, quantity: int, size: Number, scale: Scale) -> None:
+def _add_gear_losses(rows: Rows, quantity: int, size: Number) -> None:
+    """Add the friction of a gear, which only a joint's motor has."""
     mechanism = rows.mechanism
     rate = mechanism.leaf(quantity, LEAF_RATE)
     rows.detail = " as its gear rubs"
-    row = rows.velocity(Formula(leaf_symbol(0), (rate,)), scale)
-    own = {"rate": rate}
+    row = rows.velocity(Formula(leaf_symbol(0), (rate,)), RADIANS)
+    own = {rules.RATE: rate}
     rows.parts.rubbing[rows.name] = len(mechanism.frictions), 1.0
     preload = sensed(rows.parts, size, own)
     mechanism.frictions.append(Friction((row[1],), ((row,),), 0.0, _KEEPS_ON, preload))

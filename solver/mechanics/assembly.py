@@ -40,6 +40,7 @@ from solver.scene import (
 )
 from solver.scene.joint_springs import FIELD_OF
 from solver.scene.reader import collector_paused
+from solver.scene.states import sampled_states
 
 STEEP = {CODE[name] for name in ("sqrt", "pow", "asin", "acos")}
 """Operations that may have a value where their slope is infinite."""
@@ -124,6 +125,7 @@ def unchecked_model(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Mod
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
     courses = (INPUT_COURSES.index(x.interpolation) for x in scene.inputs.values())
     tables["input_course"] = array("i", courses)
+    clocks = [numbers.tick(held) for held in mechanism.held]
     variables = tuple(variables_of(scene, table, structure, numbers))
     for kink in sorted(mechanism.kinks, key=lambda x: x.is_of_energy):
         numbers.tape.add_kink(kink)
@@ -139,6 +141,8 @@ def unchecked_model(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Mod
         [x.argument, x.side, x.kind, x.segment, x.motion == Motion.WITH_QUANTITIES]
         for x in switches
     )
+    sides = [switch.side for switch in switches]
+    tables["held_table"] = flat((following, sides.index(side)) for following, side in clocks)
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))
     model = Model(
         name=scene.name,
@@ -151,7 +155,7 @@ def unchecked_model(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Mod
         rules=rules,
         rows=tuple(row.row for row in structure.multipliers),
         sampled=tuple(name for _, _, name in structure.sampled),
-        switches=names_of_switches(parts, switches),
+        switches=names_of_switches(parts, switches, _clocks(scene, tables["held_table"][1::2])),
         forces=_types_of_forces(scene),
         meshes=parts.meshes,
         settings=_settings(scene, unilateral=bool(structure.sizes["unilateral"])),
@@ -165,6 +169,17 @@ def unchecked_model(scene: Scene, asked: Iterable[str] = ()) -> tuple[Parts, Mod
     model.dependencies = dependencies(scene, structure, known, variables)
     model.scene = scene
     return parts, model
+
+
+def _clocks(scene: Scene, switches: Iterable[int]) -> dict[int, str]:
+    """Return what clocks of states are called, by their places among the switches."""
+    owners: dict[int, dict[str, None]] = {}
+    for (_, owner, *_), switch in zip(sampled_states(scene.states), switches, strict=True):
+        owners.setdefault(switch, {})[f"'{owner}'"] = None
+    return {
+        switch: f"state{'s' * (len(names) > 1)} {', '.join(names)}"
+        for switch, names in owners.items()
+    }
 
 
 def _named_by(scene: Scene) -> frozenset[str]:
@@ -267,6 +282,8 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
         "parameter": parameters,
         "input": [given.start for given in scene.inputs.values()],
         "time": [scene.experiment.start_time],
+        "held": [0.0] * sizes["n_held"],
+        "held_start": [held.start for held in structure.mechanism.held],
         "signal": [0.0] * sizes["n_signals"],
         "sensor": [0.0] * sizes["n_quantities"],
         "sensor_rate": [0.0] * sizes["n_quantities"],

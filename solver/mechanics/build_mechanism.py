@@ -11,8 +11,9 @@ from solver.mechanics.contacts import CONTACTS
 from solver.mechanics.couplings import COUPLINGS, driven_points
 from solver.mechanics.ellipsoids import ELLIPSOIDS
 from solver.mechanics.forces import FORCES
+from solver.mechanics.formulas import sensed
 from solver.mechanics.joints import JOINTS, add_joint
-from solver.mechanics.mechanism import FREE, Mechanism
+from solver.mechanics.mechanism import FREE, Held, Mechanism
 from solver.mechanics.meshes import MESHES
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import Rows
@@ -20,6 +21,8 @@ from solver.mechanics.shapes import SHAPES
 from solver.mechanics.surfaces import SURFACES
 from solver.scene import Bar, ExpressionError, Gear, Rack, Scene
 from solver.scene.body_sizes import PLACED, places_of_bodies, squared_sizes
+from solver.scene.expression import symbol
+from solver.scene.states import sampled_states
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
     **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **SHAPES, **ELLIPSOIDS,
@@ -49,6 +52,7 @@ def build_mechanism(scene: Scene) -> Parts:
                 ADD[type(part)](rows, part, found)
             except ExpressionError as error:  # a formula that has no place in a mechanism
                 rows.problem(error.message)
+    _add_states(parts)
     _check_rows(parts)
     if parts.problems:
         scene.fail(scene.error(location, text) for location, text in parts.problems)
@@ -57,7 +61,20 @@ def build_mechanism(scene: Scene) -> Parts:
 
 def _varying(scene: Scene) -> frozenset[str]:
     tunable = (name for name, p in scene.parameters.items() if p.variability == "tunable")
-    return frozenset(["t", *scene.inputs, *tunable])
+    states = (name for name, *_ in sampled_states(scene.states))
+    return frozenset(["t", *scene.inputs, *tunable, *states])
+
+
+def _add_states(parts: Parts) -> None:
+    demanded: set[str] = set()
+    for _, owner, state, found in sampled_states(parts.scene.states):
+        rows = Rows(parts, "states", owner)
+        if owner not in demanded:
+            rows.demand(state)
+            demanded.add(owner)
+        clock = (symbol("t") - state.offset) / state.sample_time
+        following = sensed(parts, found.next, by_laws=False)
+        parts.mechanism.held.append(Held(following, found.start, clock))
 
 
 def _add_points_and_bodies(parts: Parts) -> None:

@@ -27,6 +27,7 @@ from solver.runtime.layout import LEAF_SIGNAL
 from solver.runtime.model import Variable
 from solver.scene import Expr, ExpressionError, Number, Scene, symbols
 from solver.scene.quantities import place_in_whole
+from solver.scene.states import sampled_states
 
 Sources = frozenset[str | Ref]
 """Names of known variables, and measurements; what a sensor reads is one."""
@@ -122,6 +123,8 @@ class _Search:
         free = (name for name, p in scene.parameters.items() if not isinstance(p.value, Expr))
         self._settable = frozenset(scene.inputs).union(free, settings)
         self._made_of: dict[str, Sources] = {"t": NOTHING}
+        self._states = {name for name, *_ in sampled_states(scene.states)}
+        self._made_of |= dict.fromkeys(self._states, frozenset({STATUS}))
         for name in self._mechanism.defaults:  # each behind those that it is calculated from
             value = scene.parameters[name].value if name in scene.parameters else 0.0
             own = self._of(value) if isinstance(value, Expr) else frozenset({name})
@@ -141,6 +144,8 @@ class _Search:
         """Return what acts on an output or a calculated parameter: inputs directly, first all."""
         if name in self._scene.parameters:
             return NOTHING, self._made_of[name]
+        if name in self._states:
+            return NOTHING, self._settable
         output = self._scene.outputs.get(name)
         if output is None and isinstance(meaning := self._symbols.measured(name), Ref):
             return self._direct(meaning), self._first(meaning)

@@ -20,6 +20,7 @@ from solver.mechanics.rubbing import without_friction
 from solver.runtime.layout import LEAF_RATE, LEAF_VALUE, TAKES, WORKS
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
 from solver.scene.expression import Curve
+from solver.scene.rules import RATE
 
 FASTEST = 100.0
 """Largest rate at which a law that resists is looked at [m/s, rad/s]."""
@@ -46,9 +47,9 @@ def add_resistance(rows: Rows, quantity: int, word: str, force: Number, scale: S
     ExpressionError
         When it pushes at some rate, or jumps with the motion at another place than rest.
     """
-    own = {word: Leaf(LEAF_VALUE, quantity), "rate": Leaf(LEAF_RATE, quantity)}
+    own = {word: Leaf(LEAF_VALUE, quantity), RATE: Leaf(LEAF_RATE, quantity)}
     _must_resist(rows, force)
-    rest = -1.0 * without_friction(rows, -1.0 * force, {"rate": 1.0}, scale, own)
+    rest = -1.0 * without_friction(rows, -1.0 * force, {RATE: 1.0}, scale, own)
     _add(rows, quantity, ForceLaw(rest, own), TAKES)
 
 
@@ -60,7 +61,7 @@ def add_drive(rows: Rows, quantity: int, force: Number) -> None:
     ExpressionError
         When it jumps with the motion.
     """
-    _add(rows, quantity, ForceLaw(-1.0 * force, {"rate": Leaf(LEAF_RATE, quantity)}), WORKS)
+    _add(rows, quantity, ForceLaw(-1.0 * force, {RATE: Leaf(LEAF_RATE, quantity)}), WORKS)
 
 
 def _add(rows: Rows, quantity: int, law: ForceLaw, role: int) -> None:
@@ -75,10 +76,10 @@ def _add(rows: Rows, quantity: int, law: ForceLaw, role: int) -> None:
 def _must_resist(rows: Rows, force: Number) -> None:
     """Raise `ExpressionError` where a law of its rate alone pushes along it."""
     mechanism = rows.mechanism
-    if symbols(force) - {"rate"} - rows.parts.scene.parameters.keys():
+    if symbols(force) - {RATE} - rows.parts.scene.parameters.keys():
         return  # what else it reads moves: each step books what it does
     rates = sorted({*_rates(), *_knots(force)})
-    taken = [(rate * evaluate(force, {**mechanism.defaults, "rate": rate}), rate) for rate in rates]
+    taken = [(rate * evaluate(force, {**mechanism.defaults, RATE: rate}), rate) for rate in rates]
     least, rate = min(taken)
     if least < -_PUSHES * max(taken)[0]:
         message = f"it is {least / rate:.6g} at a rate of {rate:.6g}, and would push along it: a "

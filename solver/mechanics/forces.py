@@ -32,11 +32,12 @@ from solver.scene import (
     Torque,
     TorsionDamper,
     TorsionSpring,
+    rules,
     symbols,
 )
 from solver.scene.expression import sqrt, symbol
 
-LENGTH, ELONGATION, ANGLE = map(symbol, ("length", "elongation", "angle"))
+LENGTH, ELONGATION, ANGLE = map(symbol, (rules.LENGTH, rules.ELONGATION, rules.ANGLE))
 """What forces and torques of springs are written in."""
 
 
@@ -55,7 +56,7 @@ def add_spring(rows: Rows, force: Spring, _: JointParts) -> None:
     mechanism, parts = rows.mechanism, rows.parts
     link = _link(rows, force.points)
     if force.energy is not None:
-        own = {"length": Leaf(LEAF_VALUE, mechanism.length(link))}
+        own = {rules.LENGTH: Leaf(LEAF_VALUE, mechanism.length(link))}
         mechanism.potentials.append(formula(parts, force.energy, signals=False, own=own))
         add_kinks(rows, force.energy, own)
         return
@@ -105,7 +106,7 @@ def add_damper(rows: Rows, force: Damper, _: JointParts) -> None:
     """Add a damper between two places."""
     quantity = rows.mechanism.length(_link(rows, force.points))
     if force.force is not None:
-        add_resistance(rows, quantity, "length", force.force, METRES)
+        add_resistance(rows, quantity, rules.LENGTH, force.force, METRES)
         return
     assert force.damping is not None
     damping = sensed(rows.parts, force.damping)
@@ -143,7 +144,7 @@ def add_twist(
             law = sensed(parts, force.stiffness), sensed(parts, force.free_angle)
             _element(rows, Element(angle, *law))
         case TorsionDamper() if force.torque is not None:
-            add_resistance(rows, angle, "angle", force.torque, RADIANS)
+            add_resistance(rows, angle, rules.ANGLE, force.torque, RADIANS)
         case TorsionDamper():
             assert force.damping is not None
             _element(rows, Element(angle, damping=sensed(parts, force.damping)))

@@ -35,11 +35,11 @@ def _of_an_imu(sensors: Sensors, imu: Imu) -> Found:
     planar = parts.mechanism.dim == 2
     body = (imu.body.point or "").partition(".")[0]
     axes = axes_of(sensors, body)
-    if planar and imu.orientation is not None:
+    if isinstance(imu.orientation, tuple):
+        axes = _combined(axes, imu.orientation)
+    elif imu.orientation is not None:
         c, s = operate("cos", imu.orientation), operate("sin", imu.orientation)
         axes = _combined(axes, ((c, -1.0 * s), (s, c)))
-    elif isinstance(imu.orientation, tuple):
-        axes = _combined(axes, imu.orientation)
     a = sensors.numbers(sensors.acceleration(parts.place(imu.body)))
     force = subtract(a, parts.scene.gravity)
     turn = spin(sensors, body)

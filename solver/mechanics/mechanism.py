@@ -194,6 +194,16 @@ class Contact(NamedTuple):
     """Index among the frictions."""
 
 
+class Held(NamedTuple):
+    """A sampled state: what it takes at the ticks of its clock."""
+
+    next: Number
+    """Over sensors."""
+    start: Number
+    clock: Number
+    """Counts the ticks: its whole part grows at each."""
+
+
 Part = FormRow | Coincidence | FunctionRow | Element | Formula | Load | Moment | BodyMoment
 """What makes nodes depend on each other."""
 
@@ -230,6 +240,7 @@ class Mechanism:
     body_moments: list[BodyMoment] = field(default_factory=list)
     contacts: list[Contact] = field(default_factory=list)
     frictions: list[Friction] = field(default_factory=list)
+    held: list[Held] = field(default_factory=list)
     rigid: list[tuple[int, ...]] = field(default_factory=list)
     """Nodes of each rigid body: its centre of mass and directors."""
     bodies: dict[int, int] = field(default_factory=dict)

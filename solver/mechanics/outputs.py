@@ -13,7 +13,7 @@ from itertools import count
 from math import pi
 from typing import Any, TypeAlias
 
-from solver.mechanics.actuators import limited
+from solver.mechanics.actuators import RATE, acted_along, limited
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
@@ -22,7 +22,7 @@ from solver.mechanics.formulas import leaf_symbol, with_symbols
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.instruments import of_a_sensor
 from solver.mechanics.parts import JointParts
-from solver.mechanics.powers import along, of_a_load, of_a_potential
+from solver.mechanics.powers import power_along, power_of_a_load, power_of_a_potential
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
 from solver.runtime.layout import LEAF_RATE, LEAF_VALUE
@@ -246,30 +246,30 @@ def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
         length = Ref("quantity", line)
         tension = _tension(sensors, name, force, length)
         pull = sensors.value(tension) if isinstance(tension, Ref) else tension
-        power = partial(along, sensors, -1.0 * pull, line)
+        power = partial(power_along, sensors, -1.0 * pull, line)
         return {"length": length, "force": tension, "power": power}
     if isinstance(force, Potential):
-        return {"energy": force.value, "power": partial(of_a_potential, sensors, force)}
+        return {"energy": force.value, "power": partial(power_of_a_potential, sensors, force)}
     if isinstance(force, (Force, Torque)):
-        return {"power": partial(of_a_load, sensors, force)}
+        return {"power": partial(power_of_a_load, sensors, force)}
     assert isinstance(force, (TorsionSpring, TorsionDamper, JointTorque))
     angle = parts.joints[force.joint].angle
     assert angle is not None
     if isinstance(force, TorsionSpring) and force.torque is not None:
         turned = sensors.value(Ref("quantity", angle)) - force.free_angle
         torque = with_symbols(force.torque, {ANGLE: turned})
-        return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
+        return {"torque": torque, "power": partial(power_along, sensors, -1.0 * torque, angle)}
     if name in parts.force_laws:
         torque = _of_law(sensors, name)
-        return {"torque": torque, "power": partial(along, sensors, -1.0 * torque, angle)}
+        return {"torque": torque, "power": partial(power_along, sensors, -1.0 * torque, angle)}
     torque = Ref("element_force", parts.elements[name])
     if not isinstance(force, JointTorque):
-        power = partial(along, sensors, -1.0 * sensors.value(torque), angle)
+        power = partial(power_along, sensors, -1.0 * sensors.value(torque), angle)
         return {"torque": torque, "power": power}
     rubs, sign = parts.rubbing.get(name, (None, 0.0))
     friction = 0.0 if rubs is None else sign * sensors.value(Ref("friction", rubs, 0))
     value = friction - sensors.value(torque)
-    return {"torque": value, "power": partial(along, sensors, value, angle)}
+    return {"torque": value, "power": partial(power_along, sensors, value, angle)}
 
 
 def _of_law(sensors: Sensors, name: str) -> Number:
@@ -284,13 +284,7 @@ def _of_law(sensors: Sensors, name: str) -> Number:
 
 def _of_an_actuator(sensors: Sensors, name: str, actuator: Actuator) -> Found:
     """Force or torque along what it acts on, its power, and which limit it is at."""
-    parts = sensors.parts
-    if actuator.points is not None:
-        quantity = parts.mechanism.length(parts.links[name])
-    else:
-        found = parts.joints[actuator.joint or actuator.guide or ""]
-        quantity = found.angle if actuator.joint is not None else found.displacement
-        assert quantity is not None
+    quantity = acted_along(sensors.parts, name, actuator)
     rate = sensors.value(Ref("quantity_rate", quantity))
     force = -1.0 * _of_law(sensors, name)
     return {
@@ -298,8 +292,8 @@ def _of_an_actuator(sensors: Sensors, name: str, actuator: Actuator) -> Found:
         "force": force,
         "torque": force,
         "motor_speed": actuator.ratio * rate,
-        "power": force * rate,
-        "limited": with_symbols(limited(actuator), {symbol("rate"): rate}),
+        "power": partial(power_along, sensors, force, quantity),
+        "limited": with_symbols(limited(actuator), {RATE: rate}),
     }
 
 
@@ -319,7 +313,7 @@ def _tension(
         stretch = value - free_length_of(sensors.parts, name, force)
         return with_symbols(force.force, {LENGTH: value, ELONGATION: stretch})
     assert force.energy is not None
-    return with_symbols(derivative(force.energy, "length"), {LENGTH: value})
+    return with_symbols(derivative(force.energy, str(LENGTH)), {LENGTH: value})
 
 
 # ------------------------------------------------------------------------------------ contacts

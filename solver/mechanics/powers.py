@@ -14,12 +14,12 @@ from solver.mechanics.vectors import Vector, cross, dot
 from solver.scene import Force, Number, Part, Potential, Torque
 
 
-def along(sensors: Sensors, force: Number, quantity: int) -> Number:
+def power_along(sensors: Sensors, force: Number, quantity: int) -> Number:
     """Return the power of a force or torque along a quantity."""
     return force * sensors.value(Ref("quantity_rate", quantity))
 
 
-def of_a_potential(sensors: Sensors, potential: Potential) -> Number:
+def power_of_a_potential(sensors: Sensors, potential: Potential) -> Number:
     """Return -dV/dt."""
     found = formula(sensors.parts, potential.value, signals=False)
     seen = {
@@ -29,11 +29,11 @@ def of_a_potential(sensors: Sensors, potential: Potential) -> Number:
     total: Number = 0.0
     for k, leaf in enumerate(found.leaves):
         slope = with_symbols(derivative(found.value, str(leaf_symbol(k))), seen)
-        total = total + along(sensors, slope, leaf.index)
+        total = total + power_along(sensors, slope, leaf.index)
     return -1.0 * total
 
 
-def of_a_load(sensors: Sensors, force: Part) -> Number:
+def power_of_a_load(sensors: Sensors, force: Part) -> Number:
     """Return the power of a force on a place, or of a torque on a body."""
     if isinstance(force, Force):
         body = (force.point.point or "").partition(".")[0]

@@ -36,7 +36,7 @@ MOST_HIT_ROWS = 240
 COUNTED = (
     "forms", "quantities", "active", "form_rows", "coincidences", "function_rows", "velocity_rows",
     "elements", "potentials", "loads", "moments", "body_moments", "bodies", "places", "reactions",
-    "contacts", "frictions",
+    "contacts", "frictions", "held",
 )  # fmt: skip
 """Lists of a mechanism whose lengths a model has."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from solver.mechanics.formulas import rewritten
 from solver.mechanics.parts import Parts
@@ -16,11 +16,19 @@ from solver.scene.scene import NOUNS
 _TABLES = ("parameters", "constraints", "joints", "contacts", "forces", "drivers")
 
 
-def names_of_switches(parts: Parts, switches: Iterable[Switch]) -> tuple[str, ...]:
-    """Return what each switch is called in a sentence, such as ``force 'f': t < 0.6``."""
+def names_of_switches(
+    parts: Parts, switches: Iterable[Switch], clocks: Mapping[int, str]
+) -> tuple[str, ...]:
+    """Return what each switch is called in a sentence, such as ``force 'f': t < 0.6``.
+
+    Those of `clocks` have names, by their places.
+    """
     found = [(x.kink.name if x.kink else "", str(_readable(parts, x.operation))) for x in switches]
     owners = _owners(parts.scene) if found else {}
-    return tuple(name or named(owners.get(text, ""), text) for name, text in found)
+    return tuple(
+        clocks.get(k) or name or named(owners.get(text, ""), text)
+        for k, (name, text) in enumerate(found)
+    )
 
 
 def named(owner: str, text: str) -> str:

@@ -1,8 +1,9 @@
 """The vector of numbers of a model, and the tape that computes what is no constant.
 
-A tape is scalar operations on that vector, in four segments: what depends on fixed parameters
+A tape is scalar operations on that vector, in five segments: what depends on fixed parameters
 alone; what forces also need of time, inputs, tunable parameters and sensors in the middle of a
-step; the signals at its end; and what outputs need of the measurements. All may use the results of
+step; the signals at its end; what outputs need of the measurements; and the next values of sampled
+states. All may use the results of
 the first one and none those of another. Equal subexpressions of a segment are computed once.
 
 Laws and signals that jump or have a kink are smooth in pieces. What decides between these, such as
@@ -18,7 +19,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from solver.mechanics.knots import has_knots, on_piece, place_among_knots
-from solver.mechanics.mechanism import Kink, Leaf
+from solver.mechanics.mechanism import Held, Kink, Leaf
 from solver.runtime.layout import CODES, LEAF_RATE, OFFSETS, SWITCH_LEVEL, SWITCH_SIGN
 from solver.scene import Expr, Number
 from solver.scene.expression import Curve, Grid, Operand, operate, symbol
@@ -34,6 +35,7 @@ class Segment(IntEnum):
     LAWS = 1
     SIGNALS = 2
     OUTPUTS = 3
+    TICKS = 4
 
 
 class Motion(IntEnum):
@@ -366,6 +368,12 @@ class Numbers:
     def place(self, number: Number, segment: Segment = Segment.LAWS) -> int:
         """Return where the value of a number lies; `segment` is when it is needed."""
         return self.tape.compile(number, segment)[0]
+
+    def tick(self, held: Held) -> tuple[int, int]:
+        """Return where the next value of a sampled state lies, and the side of its clock."""
+        clock = operate("floor", held.clock)
+        assert isinstance(clock, Expr)  # it goes with the time
+        return self.place(held.next, Segment.TICKS), self.tape.compile(clock)[0]
 
     def operations(self, value: Number, n_leaves: int) -> Operations:
         """Return the operations of a formula over leaves ``#0``, ``#1``, ..."""

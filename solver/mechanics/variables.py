@@ -13,6 +13,7 @@ from solver.options import OPTIONS
 from solver.runtime.model import Variable
 from solver.scene import Expr, Number, Scene
 from solver.scene.expression import sqrt, symbol
+from solver.scene.states import sampled_states
 
 Meaning = tuple[str, int, Segment] | Number
 """A place - section, index there, and when it is known - or an expression."""
@@ -79,6 +80,8 @@ def _given(scene: Scene) -> Iterator[tuple[str, Meaning]]:
         place += 1
     for place, name in enumerate(scene.inputs):
         yield name, ("input", place, Segment.LAWS)
+    for place, (name, *_) in enumerate(sampled_states(scene.states)):
+        yield name, ("held", place, Segment.LAWS)
 
 
 def variables_of(
@@ -107,6 +110,9 @@ def variables_of(
         )  # fmt: skip
     mechanism = structure.mechanism
     yield from _settings(scene, unilateral=bool(mechanism.contacts or mechanism.frictions))
+    for name, _, _, found in sampled_states(scene.states):
+        if found.listed:
+            yield output(name, found.unit, found.text, symbol(name))
     for name, given in scene.outputs.items():
         yield output(name, given.unit, given.description, given.value, given.display_unit)
     for named in table:

@@ -85,6 +85,7 @@ class Status(IntEnum):
     LAW_SWITCHES = 22  # a law changes sides more often in a communication step than it may
     SIGNAL_JUMPS = 23  # the value of a driver or constraint jumps
     MESH_SWITCHES = 24  # a law changes sides in another order than in the recorded run
+    NEXT_STATE = 25  # the next value of a sampled state is not finite
 
 
 def is_double(value: object) -> bool:

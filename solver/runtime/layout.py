@@ -73,6 +73,7 @@ SIZES = (
     "n_tape_laws",  # also of the time, inputs, tunable parameters
     "n_tape_signals",
     "n_tape_outputs",  # of measurements
+    "n_tape_ticks",  # next values of sampled states
     "steep_signals",  # 1: an operation of signals may have no finite slope where it has a value
     "time_dependent",  # 1: the laws change within a communication step
     "variable_potential",  # 1: the laws write springs or potentials, so stored energy may jump
@@ -93,6 +94,7 @@ SIZES = (
     "n_hit_rows",  # most rows of an impact
     "n_hit_forces",  # multipliers by which joints rub in impacts
     "unilateral",  # 1: there are contacts or frictions
+    "n_held",  # sampled states: they change at ticks of their clocks alone
     "n_switches",  # conditions and kinks of formulas that change with the motion or time
     "switching",  # 1: there are some
     "n_motion_switches",  # of these, how many read quantities
@@ -112,7 +114,7 @@ COUNTS = {
     "n_composites": "n_elements + n_functions",
     "first_velocity": "n_elements + n_function_rows",  # among the composites
     "first_potential": "first_velocity + n_velocity_rows",
-    "n_tape": "n_tape_parameters + n_tape_laws + n_tape_signals + n_tape_outputs",
+    "n_tape": "n_tape_parameters + n_tape_laws + n_tape_signals + n_tape_outputs + n_tape_ticks",
     "n_island_ends": "n_islands + 1",
     "n_derived": "2 + 2 * n_rows",
     "turning": "2 * dim - 3",  # components of a moment, and directors of a body
@@ -227,6 +229,7 @@ TABLES = {
     "row_owner": Table("n_owned", -1, "n_owners"),  # of each composite that is a row: its contact,
     # or n_contacts + its friction; -1: it always holds
     "tape": Table("5 * n_tape"),  # of an operation: code, target, three arguments
+    "held_table": Table("2 * n_held"),  # place of the next value of each, switch of its clock
     "switch_table": Table("5 * n_switches"),  # places of its argument and its side, SWITCH_..,
     # segment of the tape, whether it reads quantities; those it depends on come before it
     **ELIMINATION,
@@ -274,6 +277,7 @@ OFFSETS = {
     "load": "dim * n_loads",  # [N]
     "moment": "turning * n_moments", "body_moment": "3 * n_body_moments",  # [N m]
     "parameter": "n_parameters", "input": "n_inputs", "time": "1",
+    "held": "n_held", "held_start": "n_held",  # sampled states, and what they are at the start
     "signal": "n_signals",  # written by the third tape
     "sensor": "n_quantities", "sensor_rate": "n_quantities",  # in the middle of a step
     "node_mass": "n_moving",  # share of the mass in norms [kg]
@@ -470,6 +474,7 @@ STATE = {
     "freedom": "n_moving",  # of a node: 0 if drivers move it alone, 2 if no row holds it, else 1
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
     "side": "n_switches",  # of each switch
+    "held": "n_held",  # sampled states
     "inputs": "n_inputs",  # last given
     "inputs_before": "n_inputs",  # of those that move: at the start of the communication step
     "inputs_slope": "n_inputs",  # factors of powers of the time from there, or from the end, on

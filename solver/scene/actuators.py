@@ -8,7 +8,7 @@ from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import Part, PointReference
 from solver.scene.mistakes import Path
-from solver.scene.quantities import Offer
+from solver.scene.quantities import POWER, Offer
 from solver.scene.rules import MOTOR_SPEED, NOT_ZERO, POSITIVE, RATE, Place, Rule
 
 if TYPE_CHECKING:
@@ -27,8 +27,8 @@ _OF_A_JOINT = (
 )
 _OF_A_MOTOR = (Offer("motor_speed", "rad/s", "speed of the motor of {name}"),)
 _ALWAYS = (
-    Offer("power", "W", "power of {name} on the mechanism"),
-    Offer("limited", "1", "0 free, 1 at the largest force or torque, 2 at the largest power"),
+    POWER,
+    Offer("limited", "1", "limit of {name}: 0 none, 1 largest force or torque, 2 largest power"),
 )
 
 

@@ -50,7 +50,8 @@ _NEAR = 1e-6
 """Elongation in m, or angle in rad, at which the sign of a law is looked at."""
 
 
-def _quantity(unit: str, example: float | None = None, text: str = "") -> kind.Quantity:
+def not_negative(unit: str, example: float | None = None, text: str = "") -> kind.Quantity:
+    """Return the kind of a stiffness, a damping or a length, which time and inputs may change."""
     return kind.Quantity(unit, text, NOT_NEGATIVE, FORCE, example)
 
 
@@ -62,13 +63,13 @@ class Spring(Part):
     offers = _ON_A_LINE
 
     points: Annotated[Ends, kind.TWO_ENDS]
-    stiffness: Annotated[Number | None, _quantity("N/m", 100.0)] = None
+    stiffness: Annotated[Number | None, not_negative("N/m", 100.0)] = None
     """None where `force` or `energy` is given."""
     force: Annotated[
         Number | None, kind.Quantity("N", "an expression in `elongation`", place=_ELONGATION)
     ] = None
     """Positive in tension, an expression in ``elongation`` (m), length less free length."""
-    free_length: Annotated[Number | None, _quantity("m", text="as drawn unless given")] = None
+    free_length: Annotated[Number | None, not_negative("m", text="as drawn unless given")] = None
     energy: Annotated[
         Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=(LENGTH,)))
     ] = None
@@ -93,7 +94,7 @@ class Spring(Part):
         what = "the length of the spring in m"
         _check_mention(reader, energy, given.energy, (LENGTH,), what, "50*(length - 1)**2")
         what = "length - free_length in m"
-        words = "elongation", "length"
+        words = ELONGATION, LENGTH
         _check_law(reader, (*path, "force"), given.force, words, what, "is longer")
 
 
@@ -141,7 +142,7 @@ def _check_damper(reader: "Reader", path: Path, given: Any, field: str, example:
     elif given.damping is not None and law is not None:
         message = f"a damper has a damping or a {field}, not both"
         draft.error((*path, field), message, "leave out one of them")
-    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions}:
+    elif law not in (None, BROKEN) and RATE not in {x.name for x in law.mentions} | law.named:
         help = f'such as "{example}"'
         draft.error((*path, field), "mentions no 'rate', the rate of the damper", help)
 
@@ -154,7 +155,7 @@ class Damper(Part):
     offers = _ON_A_LINE
 
     points: Annotated[Ends, kind.TWO_ENDS]
-    damping: Annotated[Number | None, _quantity("N.s/m", 1.0)] = None
+    damping: Annotated[Number | None, not_negative("N.s/m", 1.0)] = None
     """None where `force` is given."""
     force: Annotated[Number | None, _law_of_rate("N", LENGTH)] = None
     """In the symbols ``rate`` (m/s, positive as it lengthens) and ``length`` (m)."""
@@ -164,7 +165,8 @@ class Damper(Part):
         _check_damper(reader, path, given, "force", "50*rate + 20*rate*abs(rate)")
 
 
-def _angle(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
+def read_free_angle(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
+    """Read the angle at which a torsion spring is free, which may be in degrees by mistake."""
     return 0.0 if value is BROKEN else reader.angle(path, value, FORCE)
 
 
@@ -176,14 +178,14 @@ class TorsionSpring(Part):
     offers = (_AGAINST, POWER)
 
     joint: Annotated[str, _JOINT]
-    stiffness: Annotated[Number | None, _quantity("N.m/rad", 10.0)] = None
+    stiffness: Annotated[Number | None, not_negative("N.m/rad", 10.0)] = None
     """None where `torque` is given."""
     torque: Annotated[
         Number | None, kind.Quantity("N.m", "an expression in `angle`", place=_ANGLE)
     ] = None
     """Against the angle, an expression in ``angle`` (rad), that of the joint less free angle."""
     free_angle: Annotated[
-        Number, kind.Quantity("rad", "as drawn unless given", place=FORCE, reading=_angle)
+        Number, kind.Quantity("rad", "as drawn unless given", place=FORCE, reading=read_free_angle)
     ] = 0.0
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
@@ -195,7 +197,7 @@ class TorsionSpring(Part):
             message = "a torsion spring has a stiffness or a torque, not both"
             reader.draft.error((*path, "torque"), message, "leave out one of them")
         what = "the angle of the joint less free_angle in rad"
-        _check_law(reader, (*path, "torque"), given.torque, ("angle",), what, "is turned on")
+        _check_law(reader, (*path, "torque"), given.torque, (ANGLE,), what, "is turned on")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -206,7 +208,7 @@ class TorsionDamper(Part):
     offers = (_AGAINST, POWER)
 
     joint: Annotated[str, _JOINT]
-    damping: Annotated[Number | None, _quantity("N.m.s/rad", 1.0)] = None
+    damping: Annotated[Number | None, not_negative("N.m.s/rad", 1.0)] = None
     """None where `torque` is given."""
     torque: Annotated[Number | None, _law_of_rate("N.m", ANGLE)] = None
     """In the symbols ``rate`` (rad/s) and ``angle`` (rad)."""
@@ -277,7 +279,7 @@ class Torque(Part):
     value: Annotated[
         Number | Vector,
         kind.ByShape(
-            text="N.m: a number in 2-D, a vector in 3-D", example=1.0, number=kind.NUMBER,
+            "N.m", "a number in 2-D, a vector in 3-D", example=1.0, number=kind.NUMBER,
             vector=kind.COMPONENTS, reading=_moment,
         ),
     ]  # fmt: skip

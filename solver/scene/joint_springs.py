@@ -9,11 +9,11 @@ damper along it. A joint that does both says with `of` which one its fields mean
 from typing import TYPE_CHECKING, Any
 
 from solver.scene import fields as kind
-from solver.scene.expression import Number
 from solver.scene.fields import BROKEN
+from solver.scene.forces import not_negative, read_free_angle
 from solver.scene.mistakes import Path
-from solver.scene.quantities import Offer, turning
-from solver.scene.rules import FORCE, NOT_NEGATIVE
+from solver.scene.quantities import Offer
+from solver.scene.rules import FORCE
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -23,35 +23,30 @@ SPRING_ALONG = (
     Offer("damper", "N", "force of the damper in {name}, positive against its velocity"),
 )
 """Of a joint that slides; each, if the field is given that makes it."""
-SPRING_ABOUT = turning(
-    (
-        Offer("spring", "N", "torque of the spring in {name}, positive against its angle"),
-        Offer("damper", "N", "torque of the damper in {name}, positive against its rate"),
-    )
+SPRING_ABOUT = (
+    Offer("spring", "N.m", "torque of the spring in {name}, positive against its angle"),
+    Offer("damper", "N.m", "torque of the damper in {name}, positive against its rate"),
 )
 """Of a joint that turns."""
 FIELD_OF = {"spring": "stiffness", "damper": "damping"}
 """Field that makes what is offered."""
 
 
-def _free_angle(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
-    return 0.0 if value is BROKEN else reader.angle(path, value, FORCE)
-
-
-def _coefficient(unit: str, example: float, text: str) -> kind.Quantity:
-    return kind.Quantity(unit, text, NOT_NEGATIVE, FORCE, example)
-
-
-STIFFNESS_ABOUT = _coefficient("N.m/rad", 20.0, "of a torsion spring in the joint")
-DAMPING_ABOUT = _coefficient("N.m.s/rad", 0.3, "of a torsion damper in the joint")
-STIFFNESS_ALONG = _coefficient("N/m", 100.0, "of a spring along the joint")
-DAMPING_ALONG = _coefficient("N.s/m", 1.0, "of a damper along the joint")
-STIFFNESS_OF = _coefficient("N.m/rad, or N/m along the joint", 20.0, "of a spring in the joint")
-DAMPING_OF = _coefficient("N.m.s/rad, or N.s/m along the joint", 0.3, "of a damper in the joint")
+STIFFNESS_ABOUT = not_negative("N.m/rad", 20.0, "of a torsion spring in the joint")
+DAMPING_ABOUT = not_negative("N.m.s/rad", 0.3, "of a torsion damper in the joint")
+STIFFNESS_ALONG = not_negative("N/m", 100.0, "of a spring along the joint")
+DAMPING_ALONG = not_negative("N.s/m", 1.0, "of a damper along the joint")
+STIFFNESS_OF = not_negative("N.m/rad or N/m", 20.0, "of a spring about or along the joint")
+DAMPING_OF = not_negative("N.m.s/rad or N.s/m", 0.3, "of a damper about or along the joint")
 FREE_ANGLE = kind.Quantity("rad", "of the spring; as drawn unless given", None, FORCE, 0.1,
-                           reading=_free_angle)  # fmt: skip
+                           reading=read_free_angle)  # fmt: skip
 FREE_DISPLACEMENT = kind.Quantity("m", "of the spring; as drawn unless given", None, FORCE, 0.01)
 OF = kind.Choice(text="what spring and damper act on", words=("angle", "displacement"))
+_UNITS = {
+    "angle": {"stiffness": "N.m/rad", "damping": "N.m.s/rad"},
+    "displacement": {"stiffness": "N/m", "damping": "N.s/m"},
+}
+"""Of a joint that turns and slides, by what its spring and damper act on."""
 _FIELDS = ("stiffness", "damping", "free_angle", "free_displacement", "of")
 
 
@@ -73,6 +68,8 @@ def check_springs(reader: "Reader", path: Path, given: Any, *, both: bool) -> No
         message = "'of' is missing: whether they act on the angle or on the displacement"
         draft.error(path, message, 'write of = "angle", or of = "displacement"')
     if both and "of" in found and given.of is not BROKEN:
+        for field, unit in _UNITS[given.of].items():
+            reader.in_unit((*path, field), getattr(given, field), unit)
         other = {"angle": "free_displacement", "displacement": "free_angle"}[given.of]
         if other in found:
             message = f'the spring acts on the {given.of}, by of = "{given.of}"'

@@ -205,8 +205,13 @@ class NumberChecks:
             return _own_and(name, kind)
         if kind == "parameter":
             return self._parameter(name, place)
-        if name == "t" or kind == "input":
-            what = "the time 't'" if name == "t" else f"the input '{name}'"
+        if kind == "state" and (own := self.known.offered.get(name)):
+            known = ", ".join(f"{name}.{offer.word}" for offer in own)
+            return f"'{name}' has no value of its own", f"known: {known}"
+        is_state = self.known.quantities.get(name) == "state" or (kind == "state")
+        if name == "t" or kind == "input" or is_state:
+            what = f"the {'state' if is_state else 'input'} '{name}'"
+            what = "the time 't'" if name == "t" else what
             if place.time:
                 return None
             if place.levels or place.own:
@@ -256,7 +261,7 @@ class NumberChecks:
         kinds = ("parameter", "expression") if place.parameters else ()
         words = [*place.own, *(other for other in self.known.of(*kinds) if other != place.of)]
         if place.time:
-            words += ["t", *self.known.of("input")]
+            words += ["t", *self.known.of("input", "state")]
         words += sorted(possible)
         is_near = nearest(name, words) is not None
         unit = symbol_help(name) if len(name) > 1 and not is_near else None

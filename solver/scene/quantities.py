@@ -12,9 +12,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias
 
-Level: TypeAlias = Literal["position", "rate", "acceleration", "result"]
-"""Of the drawn and moved configuration, of its velocities, of what all forces bring about, or of
-the solution as a whole."""
+Level: TypeAlias = Literal["state", "position", "rate", "acceleration", "result"]
+"""Of what is held between ticks, of the drawn and moved configuration, of its velocities, of what
+all forces bring about, or of the solution as a whole."""
 
 Axes: TypeAlias = tuple[Sequence[str], Sequence[str]]
 """Axes of the components that a quantity has, in the plane and in space."""

@@ -148,6 +148,7 @@ def _build(draft: Draft) -> Scene:
     reader.read("expressions", named)
     read_parameters(reader)
     reader.read("inputs")
+    reader.read("states")
     for table in ("points", "bodies"):
         reader.read(table, drawn[table])
     for table in ("joints", "constraints", "contacts", "forces", "drivers", "sensors"):

@@ -30,6 +30,7 @@ from solver.scene.rules import OUTPUT
 from solver.scene.sensors import SENSORS
 from solver.scene.settings import Experiment, Ports, SolverSettings
 from solver.scene.shapes import SHAPES
+from solver.scene.states import STATES, sampled_states
 from solver.scene.surfaces import SURFACES
 
 if TYPE_CHECKING:
@@ -98,6 +99,7 @@ class Scene(Part):
         default_factory=dict
     )
     inputs: Annotated[dict[str, Input], _table("input", Input)] = field(default_factory=dict)
+    states: Annotated[dict[str, Part], _table("state", STATES)] = field(default_factory=dict)
     profiles: Annotated[dict[str, Profile], _table("profile", Profile)] = field(
         default_factory=dict
     )
@@ -139,6 +141,8 @@ class Scene(Part):
         uses = {name: sorted(symbols(x) & numbers.keys()) for name, x in numbers.items()}
         for name in TopologicalSorter(uses).static_order():
             values[name] = float((given or {}).get(name, evaluate(numbers[name], values)))
+        for name, _, _, found in sampled_states(self.states):
+            values[name] = float(evaluate(found.start, values))
         return values
 
     def results(self) -> list[str]:

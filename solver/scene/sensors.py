@@ -67,7 +67,7 @@ class Imu(Part):
     orientation: Annotated[
         Number | tuple[Vector, Vector, Vector] | None,
         kind.ByShape(
-            text="of its axes in those of the body: rad in 2-D; in 3-D { axis, angle }, "
+            "rad", "in 2-D, of its axes in those of the body; in 3-D { axis, angle }, "
             "{ quaternion }, { rotation_vector } or { matrix }",
             number=kind.NUMBER, table=kind.Table(parts=(Orientation,)), reading=_orientation,
         ),

@@ -24,6 +24,7 @@ _WORDS = {
         contacts: collisions impacts obstacles
         parameters: variables constants params
         inputs: signals
+        states: memories controllers blocks
         expressions: formulas definitions terms
         profiles: tables curves splines characteristics lookups
         sensors: instruments probes
@@ -32,6 +33,10 @@ _WORDS = {
         solver: settings integrator
         looks: visuals appearance
         view: camera
+        """,
+    "states": """
+        sampled: discrete state
+        pid: controller pi pd
         """,
     "bodies": """
         rigid: body solid

@@ -140,6 +140,11 @@ brake = { type = "force", point = "A", value = ["-1 if A.vx + A.vy > 0 else 1", 
 """
 """At rest each side of the law leads back to the other one."""
 
+COUNTING = f"""{PENDULUM}
+[states]
+count = {{ update = "sqrt(1 - 30*t)", sample_time = 0.01 }}
+"""
+
 FAILURES = {
     Status.NEWTON_DIVERGED: (PENDULUM, {"max_newton": 1}, {}, 0.1),
     Status.UZAWA_DIVERGED: (PENDULUM, {"newton_tolerance": 1e-30, "max_uzawa": 1}, {}, 0.1),
@@ -155,6 +160,7 @@ FAILURES = {
     Status.BAD_DRIVER: (STOPPED.replace('"t"', '"sqrt(0.1 - t) - sqrt(0.1)"'), {}, {}, 0.1),
     Status.TOO_MANY_EVENTS: (BOUNCING_AND_STOPPED, {"max_events": 2}, {}, 0.1),
     Status.LAW_SWITCHES: (WAVERING, {}, {}, 0.1),
+    Status.NEXT_STATE: (COUNTING, {}, {}, 0.1),
     Status.SIGNAL_JUMPS: (STOPPED.replace('"t"', '"0.01*t if t < 0.03 else 0.02*t"'), {}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
@@ -176,6 +182,7 @@ SENTENCES = {
     Status.IMPACT_UNSOLVED: "contact 'end': no impulses were found that obey the law of impact",
     Status.TOO_MANY_EVENTS: "contact 'floor': contacts change more often than solver.max_events",
     Status.SIGNAL_JUMPS: "driver 'motor': t < 0.03: what it drives would jump to another place",
+    Status.NEXT_STATE: "state 'count': its next value is not a finite number",
     Status.LAW_SWITCHES: "force 'brake': (A.vx + A.vy) > 0: it switches 1000 times at one moment",
 }
 """What is said of each."""

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from solver import simulate
 from solver.scene import SceneError, SolverSettings, loads
 from solver.scene.expression import FUNCTIONS
 from solver.scene.names import RESERVED
@@ -107,3 +108,13 @@ def test_every_function_and_reserved_name_is_mentioned():
     for name, meaning in RESERVED.items():
         if not meaning.startswith(("the function", "the language")):
             assert f"`{name}`" in GUIDE
+
+
+def test_the_imu_shown_begins_with_the_numbers_beside_it():
+    (piece,) = [piece for piece in PIECES if "[sensors]" in piece]
+    shown = re.findall(r"`imu\.(\w+)` = (-?[\d.]+) ", GUIDE)
+    assert [word for word, _ in shown] == ["fx", "fy", "w"]
+    found = simulate(loads(FIRST + piece), stop_time=0.1)
+    for word, number in shown:
+        assert found[f"imu.{word}"][0] == pytest.approx(float(number), abs=1e-9)
+    assert found["fold.angular_velocity"] == pytest.approx(3.0, abs=1e-9)

@@ -278,6 +278,15 @@ def test_a_force_is_counted_as_what_it_is(capsys, tmp_path, word):
     assert info(capsys, scene)["forces"] == {word: ["one"]}
 
 
+def test_what_has_a_power_on_demand_is_no_driver(capsys, tmp_path):
+    scene = tmp_path / "forced.toml"
+    text = FORCED.replace("position = [0, 0] }\n[forces]", "position = [0, 0], {} }}\n[forces]")
+    text = text.replace("{} }}", "friction = { preload = 1, radius = 1 } }")
+    one = 'one = { type = "torsion_damper", joint = "pin", damping = 1 }\n'
+    scene.write_text(f'{text}{one}[outputs]\nlost = {{ value = "one.power + pin.power" }}\n')
+    assert info(capsys, scene)["drivers"] == []
+
+
 def test_springs_and_dampers_of_joints_are_counted_with_those_of_forces(capsys, tmp_path):
     scene = tmp_path / "forced.toml"
     text = FORCED.replace("position = [0, 0] }\n[forces]", "position = [0, 0], {} }}\n[forces]")
@@ -318,11 +327,13 @@ pin = { type = "revolute", bodies = ["ground", "arm"], position = [3, 0] }
 drag = { type = "force", point = "A", value = ["-(0.5*c if A.vx > 0 else -0.5*c)", "-A.vy"] }
 brake = { type = "joint_torque", joint = "pin", value = "0.2 - 2*sign(pin.angular_velocity)" }
 push = { type = "force", point = "A", value = [0, "0.25*sign(A.vy)"] }
+motor = { type = "actuator", joint = "pin", value = 1, ratio = 2, efficiency = 0.8 }
 """
 RUBS = [
     "force 'drag': the sign of A.vx is friction, which holds up to 0.75 N where A.vx is 0",
     "force 'brake': the sign of pin.angular_velocity is friction, which holds up to 2 N.m where "
     "pin.angular_velocity is 0",
+    "force 'motor': its gear is friction, which holds up to 0.45 N.m at the start",
 ]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -41,7 +42,7 @@ load = {{ type = "joint_torque", joint = "hinge", value = {load} }}
 """
 
 
-def run(text: str, stop: float, points: int, names: list[str], **settings: object) -> dict:
+def run(text: str, stop: float, points: int, names: list[str], **settings: Any) -> dict:
     names = [*names, "energy.error", "energy.work"]
     return solver.simulate(
         solver.loads(text), stop_time=stop, step_size=stop / points, outputs=names, **settings
@@ -61,7 +62,7 @@ LIFTED = ["A.x", "A.vx", "lift.force", "lift.power", "lift.limited", "lift.lengt
     ],
 )  # fmt: skip
 def test_a_cylinder_is_at_its_force_and_then_at_its_power(
-    settings: dict[str, object], within: float
+    settings: dict[str, Any], within: float
 ) -> None:
     """It has F until F v = P at 0.2 s, then m v v' = P: v(1) = 6 and x(1) = 11/3, work 180."""
     found = run(LIFT, 1.0, 10, LIFTED, **settings)
@@ -69,7 +70,9 @@ def test_a_cylinder_is_at_its_force_and_then_at_its_power(
     assert found["A.x"][-1] - 1.0 == pytest.approx(11.0 / 3.0, abs=4.0 * within)
     assert found["energy.work"][-1] == pytest.approx(180.0, abs=360.0 * within)
     assert found["energy.error"].max() < 1e-14
-    assert found["lift.limited"].tolist() == [1.0] * 2 + [found["lift.limited"][2]] + [2.0] * 8
+    limit = found["lift.limited"].tolist()
+    assert (limit[:2], limit[3:]) == ([1.0] * 2, [2.0] * 8)
+    assert limit[2] in (1.0, 2.0)  # at the switch round-off decides
     assert found["lift.force"][[1, -1]] == pytest.approx([100.0, 200.0 / 6.0], rel=6.0 * within)
     assert found["lift.power"][-1] == pytest.approx(200.0, rel=1e-12)
     assert np.array_equal(found["lift.length"], found["A.x"])
@@ -105,9 +108,7 @@ def test_a_motor_falls_along_its_torque_curve(tolerance: float) -> None:
     [({"order": 2, "internal_step": 0.01}, 0.009), ({"tolerance": 1e-8}, 3e-7)],  # a step at rest
 )
 @pytest.mark.parametrize("u", [0.5, 0.3, 0.22, 0.1, -0.2])
-def test_a_gear_holds_what_lies_between(
-    u: float, settings: dict[str, object], within: float
-) -> None:
+def test_a_gear_holds_what_lies_between(u: float, settings: dict[str, Any], within: float) -> None:
     """At ratio 20 and efficiency 0.8 it drives with 16 u, gives way at 25 u, and holds between."""
     fields = 'value = "u", ratio = 20, efficiency = 0.8'
     text = WHEEL.format(u=u, inertia=0.5, fields=fields, load=-5)
@@ -214,8 +215,9 @@ def test_a_strong_controller_is_stable_at_any_step() -> None:
         "2*(1.2 - hinge.angle) - 0.7*rate", "1e4*(1.2 - hinge.angle) - 3e3*rate"
     )
     found = run(text, 30.0, 30, ANGLES, order=2, internal_step=0.1)
-    held_at = 1.2 - 9.81 * math.cos(1.2) / 1.5e5
-    assert found["hinge.angle"][-1] == pytest.approx(held_at, abs=1e-4)
+    sag = 9.81 * math.cos(1.2) / 1.5e5  # 2.4e-5 rad
+    # A swing of the rate, of one step and back, is left: it decays as the midpoint lets it.
+    assert found["hinge.angle"][-1] == pytest.approx(1.2 - sag, abs=0.5 * sag)
 
 
 @pytest.mark.parametrize(
@@ -225,6 +227,7 @@ def test_a_strong_controller_is_stable_at_any_step() -> None:
         ('points = ["ground","A"], joint = "hinge", value = 1', "got 'points' and 'joint'"),
         ('joint = "hinge"', "'value' is missing"),
         ('joint = "hinge", value = 1, max_force = 3', "about 'joint' has no force"),
+        ('joint = "hinge", value = "5 kN"', "is 5 kN, and must be in N.m"),
         ('guide = "hinge", value = 1', "has no displacement"),
         ('joint = "hinge", value = "5 kN"', "value: is 5 kN, and must be in N.m"),
         ('points = ["ground","A"], at = [0,0], value = "5 N.m"', "is 5 N.m, and must be in N"),

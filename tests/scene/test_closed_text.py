@@ -225,46 +225,6 @@ def test_all_that_reads_a_joint_means_what_it_did():
     assert (again.text, again.remarks) == (closing.text, ())
 
 
-SPRUNG = """
-[constraints]
-held = { value = "shoulder.angle - 0.2" }
-[profiles]
-law = { x = [-4, 0, 4], y = [-2, 0, 3] }
-[forces]
-coil = { type = "torsion_spring", joint = "shoulder", torque = "law(angle)" }
-rope = { type = "spring", points = ["ground", "lower.tip"], at = [1, 1], force = "4*elongation**3" }
-[solver]
-assemble = true
-tolerance = 1e-9
-"""
-
-
-def test_springs_of_joints_and_by_curves_mean_what_they_did():
-    text = arm("plane", [1.2, 0.8]).partition("[drivers]")[0] + SPRUNG
-    text = text.replace("position = [0.0, 0.0] }", "position = [0.0, 0.0], stiffness = 3 }")
-    text = text.replace(
-        "position = [1.0, 0.0] }",
-        'position = [1.0, 0.0], stiffness = 2, damping = 0.1, free_angle = "2*0.05" }',
-    )
-    text = text.replace("lower = { position = [1.5, 0.0],", "lower = { position = [1.5, 0.1],")
-    closing = solver.close(solver.loads(text))
-    before, after = start_silent(text), start(closing.text)
-    for step in range(20):
-        for name in ("lower.x", "lower.y", "lower.angle", "shoulder.spring", "elbow.spring",
-                     "coil.torque", "rope.force"):  # fmt: skip
-            assert float(after[name]) == pytest.approx(float(before[name]), abs=1e-6)
-        for integrator in (before, after):
-            integrator.advance(0.05 * step, 0.05)
-    remarks = "\n".join(closing.remarks)
-    for said in (
-        "joints.shoulder.free_angle: -0.2 is added, since shoulder.angle is 0.2 rad less",
-        "forces.coil.free_angle: -0.2 is added",
-        "joints.elbow.free_angle: ",
-        "forces.rope.free_length: ",
-    ):
-        assert said in remarks
-
-
 GEARED = """
 name = "geared"
 dimension = 2

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 import holonom
 import solver
 from solver.scene import AngleDriver, Rigid, SceneError, SceneWarning, Stop, loads
-from solver.scene.fields import ByShape, ListOf, Quantity, Table, fields_of
+from solver.scene.fields import ByShape, Kind, ListOf, Quantity, Table, fields_of
 from solver.scene.scene import TABLES, Scene
 from solver.scene.units import base_unit, literal, misfit
 
@@ -167,36 +167,36 @@ def test_what_is_no_literal(text):
     assert literal(text) is None
 
 
-def units_of_kinds() -> set[str]:
-    """Units that fields declare, of lists and tables too."""
-    found, seen = set[str](), set[int]()
-    pending = [field.kind for field in fields_of(Scene).values()]
-    pending += [
-        field.kind for x in TABLES.values() for p in x.types for field in fields_of(p).values()
-    ]
+def kinds() -> list[Kind]:
+    """Kinds of all fields, and of what stands in their lists and tables."""
+    found: dict[int, Kind] = {}
+    parts = [Scene, *(part for table in TABLES.values() for part in table.types)]
+    pending = [field.kind for part in parts for field in fields_of(part).values()]
     while pending:
         kind = pending.pop()
-        if id(kind) in seen:
-            continue
-        seen.add(id(kind))
-        found |= {kind.unit} if isinstance(kind, (Quantity, ListOf, ByShape)) else set()
-        if isinstance(kind, (ListOf, Table)) and kind.item is not None:
-            pending.append(kind.item)
-        if isinstance(kind, Table):
-            pending += [field.kind for part in kind.parts for field in fields_of(part).values()]
-        if isinstance(kind, ByShape):
-            parts = (kind.number, kind.vector, kind.vectors, kind.table)
-            pending += [part for part in parts if part]
-        pending += kind.beside.values()
-    return found
+        if id(kind) not in found:
+            found[id(kind)] = kind
+            inner = [getattr(kind, name, None) for name in ("item", "number", "vector", "vectors")]
+            pending += [x for x in (*inner, getattr(kind, "table", None)) if x is not None]
+            within = kind.parts if isinstance(kind, Table) else ()
+            pending += [field.kind for part in within for field in fields_of(part).values()]
+            pending += kind.beside.values()
+    return [*found.values()]
 
 
 def test_every_declared_unit_can_be_converted_to_but_one():
     """That of a compliant contact's stiffness depends on the exponent."""
-    declared = units_of_kinds() - {""}
+    numbers = [x for x in kinds() if isinstance(x, (Quantity, ListOf, ByShape, Table))]
+    declared = {kind.unit for kind in numbers} - {""}
     assert {"m", "kg", "rad or m", "kg.m2", "N.m.s/rad"} <= declared
     alone = {each for unit in declared for each in unit.split(" or ")}
     assert {unit for unit in alone if base_unit(unit) is None} == {"N/m^exponent"}
+
+
+def test_no_unit_hides_in_the_text_of_a_field():
+    texts = [kind.text for kind in kinds() if kind.text and not kind.unit]
+    words = {text.split(" ")[0].rstrip(",:") for text in texts} - {"in"}  # which is no inch here
+    assert not {word for word in words if base_unit(word)}
 
 
 @pytest.mark.parametrize(
@@ -277,6 +277,32 @@ def test_every_declared_unit_can_be_converted_to_but_one():
 def test_a_literal_of_another_quantity_is_told_with_a_remedy(before, after, report):
     assert before in WITH_UNITS
     assert mistakes(WITH_UNITS.replace(before, after)) == [report]
+
+
+@pytest.mark.parametrize(
+    ("force", "wrong", "wanted"),
+    [
+        ('type = "torque", body = "a", value = "5 N.mm"', "N.mm", "N.m"),
+        ('type = "actuator", joint = "pin", value = "5 N.mm"', "N.mm", "N.m"),
+        ('type = "actuator", points = ["a", "ground"], at = [1, 2], value = "5 kN"', "kN", "N"),
+    ],
+    ids=["torque", "about", "along"],
+)
+def test_a_load_is_in_the_unit_of_what_it_does(force, wrong, wanted):
+    text = f"""
+name = "loads"
+dimension = 2
+[bodies]
+a = {{ position = [0, 0], mass = 1, inertia = 1 }}
+[joints]
+pin = {{ type = "revolute", bodies = ["ground", "a"], position = [0.1, 0] }}
+[forces]
+f = {{ {force} }}
+"""
+    assert loads(text).forces["f"]
+    other = {"N.m": "N", "N": "N.m"}[wanted]
+    (found,) = mistakes(text.replace(f"5 {wrong}", f"5 {other}"))
+    assert found.startswith(f"forces.f.value: is 5 {other}, and must be in {wanted};")
 
 
 def test_a_stiffness_whose_unit_depends_on_the_exponent_has_none():

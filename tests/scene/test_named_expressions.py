@@ -2,13 +2,14 @@
 
 import json
 import re
+from random import Random
 
 import pytest
 
 import holonom
 import solver
 from build_fmu import build
-from solver.scene import Force, SceneError, SceneWarning, loads
+from solver.scene import ExpressionError, Force, SceneError, SceneWarning, loads
 from solver.scene.fields import fields_of
 from solver.scene.grammar import read
 from solver.scene.rules import ANYWHERE
@@ -252,8 +253,56 @@ damper = { type = "damper", points = ["O", "A"], force = "drag" }
     assert found.message == "unknown symbol 'rate' (in the expression 'drag')"
 
 
+def test_an_expression_that_is_called_as_a_symbol_of_a_damper_is_one_mistake():
+    text = """
+name = "own"
+dimension = 2
+[expressions]
+rate = "3*2"
+[points]
+A = { position = [1, 1], mass = 1 }
+[forces]
+slow = { type = "damper", points = ["ground", "A"], at = [0, 0], force = "2*rate" }
+"""
+    with pytest.raises(SceneError) as caught:
+        loads(text)
+    (found,) = caught.value.problems
+    message = "'rate' has a meaning of its own here, and is the name of an expression"
+    assert (found.location, found.message) == ("forces.slow.force", message)
+
+
 def test_a_named_expression_may_mention_the_symbols_of_every_place():
     parts = [part for table in TABLES.values() for part in table.types]
     kinds = [field.kind for part in parts for field in fields_of(part).values()]
     own = {word for kind in kinds for word in kind.place.own}
     assert {"length", "rate", "angle"} <= own <= {*ANYWHERE.own}
+
+
+def _formula(draw: Random, names: list[str], depth: int = 0) -> str:
+    """Return a random formula over names, symbols and numbers."""
+    kind = draw.random()
+    if depth > 3 or kind < 0.3:
+        return draw.choice([*names, "a", "b", "2", "0.5", "A.x"])
+    x, y, z = (_formula(draw, names, depth + 1) for _ in range(3))
+    if kind < 0.75:
+        return x + draw.choice(["+", "-", "*", "/", "**", "<", " and "]) + y
+    return draw.choice([f"({x})", f"min({x}, {y}, {z})", f"{x} if {y} else {z}", f"-{x}"])
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_random_formulas_with_names_are_those_written_out(seed):
+    draw, texts = Random(seed), dict[str, str]()
+    for k in range(3):
+        texts[f"n{k}"] = _formula(draw, list(texts))
+
+    def out(text: str) -> str:
+        return re.sub(r"\bn\d\b", lambda name: f"({out(texts[name[0]])})", text)
+
+    def found(text: str, expressions: dict[str, str]) -> object:
+        try:
+            return read(text, {}, expressions).number
+        except ExpressionError as error:
+            return error.message.removeprefix("with the expressions that it mentions, ")
+
+    text = _formula(draw, list(texts))
+    assert found(text, texts) == found(out(text), {})

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from solver.scene import (
+    Actuator,
     AngleDriver,
     BoxContact,
     CamContact,
@@ -134,6 +135,10 @@ def test_constraints_and_drivers_arrive_as_written():
         ("f7", Force(point=TIP, value=(parse("u"), parse("-A.vx"), 0.0), axes="body")),
         ("f8", Torque(body="b1", value=(0.0, 0.0, parse("j3.angle")))),
         ("f9", Potential(value=parse("A.x**2 + distance(A, b1.tip)"))),
+        ("a1", Actuator(points=(POINT_A, TIP), value=parse("u"), max_force=3.0,
+                        max_power=parse("k"))),
+        ("a2", Actuator(joint="j3", value=parse("-rate"), ratio=20.0, efficiency=0.9)),
+        ("a3", Actuator(guide="j6", value=parse("u"))),
         ("g1", Gravitation(points=(POINT_A, PointReference(point="b1")), masses=(1.0, 2.0))),
         ("g2", Gravitation(points=(PointReference(point="S"), PointReference(point="b1")),
                            masses=(1.0, 2.0), constant=1.0)),
@@ -267,6 +272,9 @@ def test_positions_and_rates_are_those_of_points_bodies_and_joints():
         ("f4", "torque power"),
         ("f7", "power"),
         ("f9", "energy power"),
+        ("a1", "length force power limited"),
+        ("a2", "torque motor_speed power limited"),
+        ("a3", "force power limited"),
         ("g1", "length force power"),
         ("d1", "force.x force.y force.z power"),
         ("d2", "force power"),

@@ -332,3 +332,24 @@ def test_so_are_stops_of_an_angle_and_not_those_of_a_distance():
     stop = 'stop = { type = "stop", joint = "hinge", min = "-10*pi/180", max = 80 }\n'
     text = PLANE % ("", "velocity = [0, 0]\n") + f"{joint}[contacts]\n{rope}{stop}"
     assert told(text) == [("contacts.stop.max", "is 80 rad, 12.7 turns")]
+
+
+LAWS = [
+    ("-50*elongation", True),
+    ("-bent(elongation)", True),
+    ("50*elongation", False),
+    ("bent(elongation) - 3", False),
+    ("max(elongation - 0.1, 0)", False),
+    ("100 - 50*elongation", False),
+]
+
+
+@pytest.mark.parametrize(("law", "is_wrong"), LAWS)
+def test_a_spring_that_pushes_on_from_its_free_length_may_have_the_wrong_sign(law, is_wrong):
+    profile = "[profiles]\nbent = { x = [-1, 0, 1], y = [-5, 0, 9] }\n" * ("bent" in law)
+    torque = f'torque = "{law.replace("elongation", "angle")}"'
+    hinge = HINGE.replace("stiffness = 1, ", torque + " }\n")
+    spring = f'g = {{ type = "spring", points = ["ground", "b"], at = [1, 0], force = "{law}" }}'
+    found = told(PLANE % (profile, hinge + spring))
+    assert [location for location, _ in found] == ["forces.f.torque", "forces.g.force"] * is_wrong
+    assert all("and so pushes on from" in text for _, text in found)

@@ -208,9 +208,12 @@ def test_a_misspelt_field_is_one_mistake_and_not_also_a_missing_one(table, word)
         assert not any(f"'{name}'" in report.message for report in found)
 
 
-def test_a_torque_at_a_joint_is_a_joint_torque():
+def test_a_torque_at_a_joint_is_one_of_those_of_joints():
     found = problem_of("forces", {"type": "torque", "joint": "bearing", "value": 1.0})
-    assert (found.location, found.help) == ("forces.new.joint", 'write type = "joint_torque"')
+    assert (found.location, found.help) == (
+        "forces.new.joint",
+        "types of forces with these fields: joint_torque, actuator",
+    )
 
 
 @pytest.mark.parametrize(("table", "word"), PARTS)

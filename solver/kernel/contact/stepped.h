@@ -131,8 +131,9 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + done + h * (double)i;
         begin_halves(c, 2);
-        settle_sides(c, c->t, 1); /* no switch is located, either */
-        status = is_stopped(c) ? HOLONOM_STOPPED : stepped_half(c, 0.5 * h, 0, 0);
+        status = settle_and_tick(c, c->t); /* no switch is located, either */
+        if (!status)
+            status = is_stopped(c) ? HOLONOM_STOPPED : stepped_half(c, 0.5 * h, 0, 0);
         if (!status) status = stepped_half(c, 0.5 * h, 1, 0);
         if (status) break;
         average_multipliers(c, c->t - 0.5 * h);

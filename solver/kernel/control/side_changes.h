@@ -42,12 +42,11 @@ static int32_t blame_switch(context *c, int32_t status, int32_t k)
 HM_SELDOM static int32_t pass_time(context *c, double time)
 {
     keep_signals(c, time);
-    double *before = c->k.argument_low;
-    memcpy(before, c->s.side, sizeof(double) * (size_t)n_switches(c));
-    settle_sides(c, time, 1);
+    const int32_t status = settle_and_tick(c, time);
+    if (status) return status;
     int32_t first = n_switches(c) - 1;
     for (int32_t k = first; k >= 0; k--)
-        if (before[k] != c->s.side[k]) first = k;
+        if (c->k.side_before[k] != c->s.side[k]) first = k;
     return blame_switch(c, begin_on_sides(c, time), first);
 }
 

@@ -128,8 +128,9 @@ static double no_energy(const context *c, int32_t j)
 
 static void add_no_sizes(const context *c, int32_t j, double *sum) { (void)c, (void)j, (void)sum; }
 
-/* What force j takes in so many times `taken`, by its role; what pushes where it should take is
-   work. Weights of stages may be negative. */
+/* Account of the energy times*taken that force j takes, by its role: a loss where a force that
+   should take does so, else work. `times` may be negative, as weights of stages are, and does not
+   decide. */
 static element_work work_of_force(const context *c, int32_t j, double taken, double times)
 {
     const int is_loss = c->m->force_role[j - first_potential(c)] == TAKES && taken >= 0.0;
@@ -150,7 +151,8 @@ static element_work force_rate(const context *c, int32_t j, double time)
     return work_of_force(c, j, force * along, time);
 }
 
-/* A law may take energy out whatever its role: covers serve it, compositions go back in time. */
+/* A law may take energy out whatever its role, so that covers are taken: compositions go back in
+   time. */
 static element_bound force_bound(const context *c, int32_t j)
 {
     return (element_bound){1.0, c->m->force_role[j - first_potential(c)] == WORKS};

@@ -89,8 +89,8 @@ static int32_t add_forces_of_potentials(const context *at, const double *x)
     return HOLONOM_OK;
 }
 
-/* Likewise the change of forces by derivatives with respect to leaves of this kind, quantities or
-   their rates, where quantities change as in the motion x, or rates do. */
+/* Likewise of forces N: adds the change of each by its leaves of one kind, quantities or their
+   rates, which change as in the motion x. */
 static int32_t add_changes_of_forces(const context *at, const double *x, int leaf_kind)
 {
     const holonom_model *m = at->m;
@@ -114,38 +114,39 @@ static int32_t add_changes_of_forces(const context *at, const double *x, int lea
     return HOLONOM_OK;
 }
 
-/* What answers to quantities, springs and potentials, or to their rates, dampers; forces do to
-   both. */
-enum answer { OF_SPRINGS, OF_DAMPERS };
+/* Forces by what they depend on: quantities (springs, potentials) or their rates (dampers). A
+   force N may depend on both, and counts in each. */
+enum dependence { ON_QUANTITIES, ON_RATES };
 
-static inline int64_t coefficients_of(const context *at, enum answer which)
-{ return which == OF_SPRINGS ? at->m->stiffness_at : at->m->damping_at; }
+static inline int64_t coefficients_at(const context *at, enum dependence which)
+{ return which == ON_QUANTITIES ? at->m->stiffness_at : at->m->damping_at; }
 
-static int is_answered(const context *at, enum answer which)
+static int has_forces_that_depend(const context *at, enum dependence which)
 {
     for (int32_t j = 0; j < at->m->n_elements; j++)
-        if (at->number[coefficients_of(at, which) + j] != 0.0) return 1;
+        if (at->number[coefficients_at(at, which) + j] != 0.0) return 1;
     for (int32_t j = first_potential(at); j < n_composites(at); j++)
-        if (is_force(at, j) || which == OF_SPRINGS) return 1;
+        if (is_force(at, j) || which == ON_QUANTITIES) return 1;
     return 0;
 }
 
-/* Adds to momentum what answers to quantities, or rates, that change as in the motion x. */
-static int32_t add_answers(const context *at, enum answer which, const double *x)
+/* Adds to momentum the change of these forces in the motion x of quantities, or of rates. */
+static int32_t add_changes(const context *at, enum dependence which, const double *x)
 {
-    int32_t status = add_forces_of_elements(at, coefficients_of(at, which), x);
-    if (!status && which == OF_SPRINGS) status = add_forces_of_potentials(at, x);
+    int32_t status = add_forces_of_elements(at, coefficients_at(at, which), x);
+    if (!status && which == ON_QUANTITIES) status = add_forces_of_potentials(at, x);
     return status ? status
-                  : add_changes_of_forces(at, x, which == OF_SPRINGS ? LEAF_VALUE : LEAF_RATE);
+                  : add_changes_of_forces(at, x, which == ON_QUANTITIES ? LEAF_VALUE : LEAF_RATE);
 }
 
-/* Largest eigenvalue of M^-1 K along the rows, by powers of it: K of springs and of the second
-   derivatives of potentials, or of dampers. */
-static double largest_rate(const context *at, enum answer which)
+/* Largest eigenvalue of M^-1 K along the rows, by powers of it: K of springs, of the second
+   derivatives of potentials and of those of forces N by quantities, or of dampers and those of
+   forces N by rates. */
+static double largest_rate(const context *at, enum dependence which)
 {
     double *x = at->k.ahead, rate = 0.0, last = INFINITY, size;
     uint32_t random = 1;
-    if (!is_answered(at, which)) return 0.0;
+    if (!has_forces_that_depend(at, which)) return 0.0;
     for (int32_t k = 0; k < DIM * at->n_moving; k++)
         at->k.momentum[k] = (double)(random = 1664525u * random + 1013904223u) - 2147483648.0;
     respond(at, x);
@@ -153,7 +154,7 @@ static double largest_rate(const context *at, enum answer which)
     for (int i = 0; i < MOST_POWERS && size > 0.0 && !(fabs(rate - last) <= CLOSE * rate); i++) {
         const double before = size;
         memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
-        if (add_answers(at, which, x)) return INFINITY;
+        if (add_changes(at, which, x)) return INFINITY;
         respond(at, x);
         size = mass_norm(at, x);
         last = rate;
@@ -180,8 +181,8 @@ HM_SELDOM static double rate_of_springs(const context *c)
    tension does, by its factors; 0 with stiff dampers. */
 HM_SELDOM static double longest_explicit(const context *at)
 {
-    const double springs = largest_rate(at, OF_SPRINGS);
-    const double dampers = largest_rate(at, OF_DAMPERS);
+    const double springs = largest_rate(at, ON_QUANTITIES);
+    const double dampers = largest_rate(at, ON_RATES);
     if (dampers > STIFF * rate_of_motion(at)) return 0.0;
     const double rate = hm_hypot(sqrt(springs) / SPRING_TURN, dampers / DAMPER_WAY);
     return rate < INFINITY ? 1.0 / fmax(1e-300, rate) : 0.0; /* finite: a state keeps it */

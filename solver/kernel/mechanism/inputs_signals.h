@@ -30,6 +30,7 @@ static void load_inputs(const context *c, double t)
     }
     memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
     for (int32_t k = 0; k < n_switches(c); k++) c->number[m->switch_table[5 * k + 1]] = s->side[k];
+    memcpy(c->number + m->held_at, s->held, sizeof(double) * (size_t)m->n_held);
 }
 
 /* Whether an input is on the move, or was in the last step. */

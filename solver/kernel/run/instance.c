@@ -156,6 +156,7 @@ void hm_evaluate(holonom_instance *i)
     const holonom_model *m = &i->file.model;
     memcpy(i->numbers + m->input_at, i->s.inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(i->numbers + m->parameter_at, i->s.parameters, sizeof(double) * (size_t)m->n_parameters);
+    memcpy(i->numbers + m->held_at, i->s.held, sizeof(double) * (size_t)m->n_held);
     i->numbers[m->time_at] = i->s.head[S_TIME];
     holonom_evaluate(m, i->numbers, 0);
     holonom_evaluate(m, i->numbers, 1);

@@ -85,7 +85,7 @@ HM_SELDOM static int32_t forces_of_state(context *c, const hm_measured *y, doubl
 }
 
 /* Likewise with contacts and frictions, in the modes that they are in, or take where an input has
-   just changed; a is k.w. */
+   just changed. Accelerations are left in k.w. */
 HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
@@ -104,8 +104,8 @@ HM_SELDOM static int32_t forces_of_modes(context *c, const hm_measured *y)
     return status;
 }
 
-/* Second derivative of quantity j with accelerations a. Axes of an angle keep their lengths: by
-   what their rates are off, an error of the step, it does not turn. */
+/* Second derivative of quantity j with accelerations a. Axes of an angle keep their lengths: rates
+   of these lengths are an error of the step, which must not turn it. */
 HM_SELDOM static double quantity_acceleration(const context *c, int32_t j, const double *a)
 {
     const holonom_model *m = c->m;
@@ -140,9 +140,9 @@ HM_SELDOM static void turn_rigidly(const context *c)
     }
 }
 
-/* Accelerations, which are those of the state whatever the forces are, of nodes, places, quantities
-   and bodies; no number where the state has none. Whether multipliers and forces on driven nodes
-   are those of the state as well: under a tolerance, where velocities fit the rows. */
+/* Measures accelerations of nodes, places, quantities and bodies at the state, at any order; NaN
+   where they cannot be solved for. Returns whether multipliers and forces on driven nodes are those
+   of the state as well, as under a tolerance, where velocities fit the rows. */
 HM_SELDOM static int measure_accelerations(const context *measured, const hm_measured *y)
 {
     const holonom_model *m = measured->m;
@@ -170,8 +170,8 @@ HM_SELDOM static int measure_accelerations(const context *measured, const hm_mea
     return !status && c->tolerance > 0.0 && tells_forces(c);
 }
 
-/* Multipliers, forces on driven nodes, and the forces along rods, 2 mu |u|, positive in tension;
-   `are_told`: the former are there. */
+/* Multipliers and forces on driven nodes, unless they `are_told`, that is measured already; and
+   forces along rods, 2 mu |u|, positive in tension. */
 static void measure_rows(context *c, const hm_measured *y, int are_told)
 {
     const holonom_model *m = c->m;

@@ -169,8 +169,8 @@ static int is_function(const checker *c, const int32_t *operation, int32_t n_lea
     return n_leaves > 0 && n_leaves <= c->m->n_registers;
 }
 
-/* Whether potential j, if it is a force, acts along its first leaf, and reads what moves alone. */
-static int is_potential(const checker *c, int32_t j)
+/* Whether potential j is an energy, or a force along its first leaf that reads no signals. */
+static int fits_its_role(const checker *c, int32_t j)
 {
     const holonom_model *m = c->m;
     if (m->force_role[j - c->count.first_potential] == STORES) return 1;
@@ -198,7 +198,7 @@ static int is_composite(const checker *c, int32_t j)
     const int32_t begin = m->function_ptr[j - m->n_elements],
                   end = m->function_ptr[j - m->n_elements + 1];
     return is_function(c, m->operation + 4 * (int64_t)begin, leaves, end - begin)
-           && (j < c->count.first_potential || is_potential(c, j));
+           && (j < c->count.first_potential || fits_its_role(c, j));
 }
 
 HM_SELDOM static int has_composites(const checker *c)
@@ -246,6 +246,11 @@ static int has_tape(const checker *c)
          at < c->m->switch_table + 5 * (int64_t)c->m->n_switches; at += 5)
         if (!within(at, 2, 0, c->m->n_numbers) || !within(at + 2, 1, SWITCH_SIGN, SWITCH_LEVEL + 1)
             || !within(at + 3, 1, 1, 3) || !within(at + 4, 1, 0, 2))
+            return 0;
+    for (const int32_t *at = c->m->held_table; at < c->m->held_table + 2 * (int64_t)c->m->n_held;
+         at += 2)
+        if (!within(at, 1, 0, c->m->n_numbers)
+            || !within(at + 1, 1, 0, c->m->n_switches - c->m->n_kinks))
             return 0;
     return within(c->m->mass_node, 2 * (int64_t)c->m->n_mass_free, 0, c->m->n_free);
 }

@@ -87,6 +87,9 @@ const char *hm_about_step(int32_t status)
                "a slope in the place of the jump, as min(max(20*x, -1), 1) has for sign(x); a "
                "force -c*sign(s) that rubs holds where s is the rate along which it acts, and c "
                "of numbers, parameters and s alone";
+    case HOLONOM_NEXT_STATE:
+        return "its next value is not a finite number; look at its formula at this time and with "
+               "these inputs";
     case HOLONOM_SIGNAL_JUMPS:
         return "what it drives would jump to another place in this communication step; let its "
                "value go there smoothly, over some time";
@@ -258,7 +261,7 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
     if (lacks_solution(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
     if (status == HOLONOM_LAW_SWITCHES || status == HOLONOM_SIGNAL_JUMPS
-        || status == HOLONOM_MESH_SWITCHES)
+        || status == HOLONOM_MESH_SWITCHES || status == HOLONOM_NEXT_STATE)
         hm_say(text, "%s: ", f->text + f->switches[fault]);
     else if (status == HOLONOM_BAD_DRIVER)
         say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);

@@ -290,6 +290,7 @@ static void take_initial(context *c)
     memcpy(c->s.q, c->number + m->initial_position_at, bytes);
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
     EACH_TURN(c, b) straighten(c, m->body_node[b]);
+    memcpy(c->s.held, c->number + m->held_start_at, sizeof(double) * (size_t)m->n_held);
     memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
     c->s.head[S_INPUT_STEP] = c->s.head[S_INPUT_STEP_BEFORE] = 0.0;
     settle_sides(c, c->t, 0); /* those of the time, for signals */
@@ -395,6 +396,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (watch && watch->is_stopped) return HOLONOM_STOPPED;
     settle_sides(&c, head[S_TIME], 0); /* where it has come to */
+    if (!status) status = tick(&c, head[S_TIME], NULL, 0);
     if (!status) status = first_multipliers(&c);
     if (!status && fastest_rate(&c, c.s.v) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;

@@ -95,6 +95,57 @@ HM_SELDOM static void settle_sides(context *c, double t, int is_booked)
     seek_stop_anew(c);
 }
 
+/* ------------------------------------------------------------------------------ sampled states */
+
+/* Of a sampled state: the place of its next value, and the switch of its clock, whose side counts
+   the ticks. */
+typedef struct held_place {
+    int32_t next, clock;
+} held_place;
+
+static inline const held_place *held_of(const context *c, int32_t j)
+{ return (const held_place *)(const void *)c->m->held_table + j; }
+
+/* Whether the clock of sampled state j has gone on from its sides `before`; at the start, NULL,
+   whether it ticks there. */
+static int has_ticked(const context *c, int32_t j, const double *before)
+{
+    const int32_t k = held_of(c, j)->clock;
+    return before ? c->s.side[k] > before[k]
+                  : c->number[switch_of(c, k)->argument] == c->s.side[k];
+}
+
+/* Sampled states whose clocks have ticked at time t take their next values, all of the state as it
+   was: quantities, inputs, and what is held. */
+HM_SELDOM static int32_t tick(context *c, double t, const double *before, int is_booked)
+{
+    const holonom_model *m = c->m;
+    int32_t ticks = 0;
+    for (int32_t j = 0; j < m->n_held; j++) ticks += has_ticked(c, j, before);
+    if (!ticks) return HOLONOM_OK;
+    sense(c, 0.0, 0);
+    set_laws(c, t, 0);
+    hm_run_tape(m, c->number, 4);
+    for (int32_t j = 0; j < m->n_held; j++) {
+        const double next = c->number[held_of(c, j)->next];
+        c->k.held_next[j] = has_ticked(c, j, before) ? next : c->s.held[j];
+        if (fabs(c->k.held_next[j]) < INFINITY) continue;
+        c->step.at_fault = 1 + held_of(c, j)->clock;
+        return HOLONOM_NEXT_STATE;
+    }
+    memcpy(c->s.held, c->k.held_next, sizeof(double) * (size_t)m->n_held);
+    set_laws(c, t, is_booked);
+    return HOLONOM_OK;
+}
+
+/* Sides of all switches from time t on, and sampled states whose clocks have ticked since. */
+HM_SELDOM static int32_t settle_and_tick(context *c, double t)
+{
+    memcpy(c->k.side_before, c->s.side, sizeof(double) * (size_t)n_switches(c));
+    settle_sides(c, t, 1);
+    return tick(c, t, c->k.side_before, 1);
+}
+
 /* ------------------------------------------------------------------------- switches of the time */
 
 /* Range of a number a0 + a1 u + a2 u^2 + a3 u^3 and its rate from u to v. */
