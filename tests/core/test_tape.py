@@ -209,6 +209,7 @@ def test_what_parameters_do_not_fix_runs_when_it_is_needed():
         Segment.LAWS: ["mul"],
         Segment.SIGNALS: ["mul"],
         Segment.OUTPUTS: ["mul", "sub"],
+        Segment.TICKS: [],
     }
 
 

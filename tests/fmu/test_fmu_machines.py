@@ -48,7 +48,7 @@ joint = "hinge"
 torque = "0.2*rate + 0.1*rate*abs(rate)"
 """
 SHOWN = [
-    "hinge.angle", "hinge.angular_velocity", "motor.torque", "motor.power", "motor.motor_speed",
+    "hinge.angle", "hinge.angular_velocity", "motor.torque", "motor.motor_speed",
     "motor.limited", "brake.torque", "pid.value", "pid.integral", "turns", "energy.error",
 ]  # fmt: skip
 
