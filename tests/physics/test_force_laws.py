@@ -167,6 +167,34 @@ def test_a_measured_brake_at_a_hinge_keeps_a_tolerance(tolerance: float, method:
     assert found["energy.error"][-1] < 1e-13
 
 
+SLOW = """
+name = "slow"
+dimension = 2
+[bodies]
+wheel = {{ mass = 1, inertia = 0.05, position = [0, 0], angular_velocity = 0.1256 }}
+[joints]
+hinge = {{ type = "revolute", bodies = ["ground", "wheel"], position = [0, 0] }}
+[forces]
+spring = {{ type = "torsion_spring", joint = "hinge", stiffness = 11 }}
+push = {{ type = "joint_torque", joint = "hinge", value = "13.6*sin(0.7*t) + 2.2" }}
+brake = {{ type = "torsion_damper", joint = "hinge", torque = "45*rate{kink}" }}
+"""
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-8])
+@pytest.mark.parametrize("kink", ["", " + max(rate - 50, 0)"], ids=["smooth", "kink"])
+def test_a_kink_that_is_never_reached_changes_no_error(kink: str, tolerance: float) -> None:
+    """What a strong brake slows down to follows the push: an estimate must know that it is slow."""
+    times = np.linspace(0.0, 2.0, 21)
+    right = solve_ivp(
+        lambda t, y: [y[1], (-11 * y[0] + 13.6 * math.sin(0.7 * t) + 2.2 - 45 * y[1]) / 0.05],
+        (0.0, 2.0), [0.0, 0.1256], method="Radau", rtol=1e-12, atol=1e-14, t_eval=times,
+    ).y  # fmt: skip
+    found = run(SLOW.format(kink=kink), 2.0, 20, order=4, tolerance=tolerance)
+    for name, row in zip(["hinge.angle", "hinge.angular_velocity"], right, strict=True):
+        assert np.abs(found[name] - row).max() < 3.0 * tolerance * np.abs(row).max()
+
+
 def test_no_law_gives_energy_in_any_step() -> None:
     """Random laws, masses, springs and steps: what dampers take never falls, and all is booked."""
     rng = np.random.default_rng(5)

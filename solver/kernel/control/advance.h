@@ -181,7 +181,7 @@ HM_SELDOM int32_t holonom_may_be_explicit(const holonom_model *m, double *number
     const double *head = c.s.head;
     const int order = (int)head[S_ORDER];
     return head[S_METHOD] != 0.0 && hm_tolerance(head) > 0.0 && (!order || is_explicit_order(order))
-           && allows_explicit(&c);
+           && allows_explicit(&c, 0);
 }
 
 static void add_loss(holonom_methods *found, int32_t composite)

@@ -45,7 +45,7 @@ static double steps_over(const context *c, double time, double longest)
 static double longest_cover(const context *c)
 {
     const double longest = COVERED_TURN * longest_of(c, 8);
-    return longest > 0.0 && may_step_explicitly(c) ? longest : INFINITY;
+    return longest > 0.0 && knows_rates(c) ? longest : INFINITY;
 }
 
 /* Longest of the next steps, in equal parts of a time: they may add what steps before them have
@@ -148,12 +148,12 @@ static void begin_control(context *c)
     const double asked = head[S_ORDER],
                  rate =
                      hm_hypot(rate_of_motion(c), head[S_WANTED] > 0.0 ? 0.0 : rate_of_springs(c));
-    const int may_be_explicit = may_step_explicitly(c), is_new = head[S_ORDER_IN_USE] == 0.0;
+    const int may_look = knows_rates(c), is_new = head[S_ORDER_IN_USE] == 0.0;
     c->step.damped = is_dissipative(c);
     c->last.longest_put_back = INFINITY;
     /* Pairs may be of any length: springs are looked at again where other steps come up. */
     const int are_pairs = head[S_ORDER_IN_USE] == 2.0 && head[S_EXPLICIT] == 0.0;
-    if (may_be_explicit && !ends_explicitly(c) && !are_pairs) find_longest(c);
+    if (may_look && !ends_explicitly(c) && !are_pairs) find_longest(c);
     const double eighth = is_new && rate > 0.0 ? 0.5 * hm_pow(c->tolerance, 1.0 / 9.0) / rate : 0.0;
     const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
     if (!takes_explicit(c) || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;

@@ -30,8 +30,9 @@
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
 /* Error of velocities of parts that stiff springs or dampers hold, and that follow a force: of a
-   pair over h^2 times the rate of accelerations, of a cover of order 4 over its difference, of
-   which a light node tells little. It is there at the end of each step, and does not add up. */
+   pair over h^2 times the rate of accelerations, of a cover of order 4 over its difference: 1.5 as
+   the weights of nodes take some of it off light ones. It is there at the end of each step, and
+   does not add up. */
 #define SLAVED 0.3
 #define SLAVED_COVER 1.5
 /* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of
@@ -214,7 +215,7 @@ HM_OFTEN void follow_coarseness(context *c, double h)
    with the order. */
 static int has_strong_dampers(const context *c)
 {
-    return c->step.damped && c->s.head[S_LONGEST_EXPLICIT] == 0.0 && may_step_explicitly(c);
+    return c->step.damped && c->s.head[S_LONGEST_EXPLICIT] == 0.0 && knows_rates(c);
 }
 
 /* Largest of what functions and drivers read, an angle of many turns or a place far away, over 1
@@ -325,7 +326,7 @@ static int estimate_error(context *c, double h, step_error *e)
     e->mean = used->mean * (order == 2 ? freed * freed * freed : hm_pow(freed, order + 1));
     const double before_it = c->s.head[S_LAST_RATE];
     const int is_settled = has_strong_dampers(c);
-    const int is_slaved = c->last.method != EXPLICIT && c->step.damped && may_step_explicitly(c)
+    const int is_slaved = c->last.method != EXPLICIT && c->step.damped && knows_rates(c)
                           && h > longest_of(c, 8);
     if (is_cover && order > 4) {
         const double fallen = fallen_difference(c, h, x, difference);

@@ -32,12 +32,13 @@ static void respond(const context *at, double *x)
 }
 
 /* Whether the potentials have derivatives of all orders: no kinks, jumps or tables, and no
-   dampers. */
-static int are_smooth(const context *at)
+   dampers; `but_forces`: forces may have what they like. */
+static int are_smooth(const context *at, int but_forces)
 {
     const holonom_model *m = at->m;
     for (int32_t j = first_potential(at); j < n_composites(at); j++) {
         const int32_t f = j - first_function(at);
+        if (but_forces && is_force(at, j)) continue;
         if (is_damped(at, j)) return 0;
         for (int32_t i = m->function_ptr[f]; i < m->function_ptr[f + 1]; i++) {
             const int32_t code = m->operation[4 * i];

@@ -34,22 +34,29 @@ enum { MOST_PASSES = 8 };
     3.0 /* steps in a row that could not be put back: then covers serve for good */
 
 /* Whether a model allows explicit steps: put_back brings rows and energy back, and laws tell their
-   powers at any moment. */
-HM_SELDOM static int allows_explicit(const context *c)
+   powers at any moment. `but_forces`: whatever forces do at kinks. */
+HM_SELDOM static int allows_explicit(const context *c, int but_forces)
 {
-    return !is_stepped(c) && !(c->m->variable_potential && c->m->time_dependent) && are_smooth(c);
+    return !is_stepped(c) && !(c->m->variable_potential && c->m->time_dependent)
+           && are_smooth(c, but_forces);
 }
 
-/* Whether steps may be explicit now. A friction that slides takes energy by pairs alone: some
-   weights of stages are negative. */
-HM_SELDOM static int may_step_explicitly(const context *c)
+/* Whether derivatives tell now how fast springs and dampers are. A friction that slides takes
+   energy by pairs alone: some weights of stages are negative. */
+static int knows_rates_of_forces(const context *c, int but_forces)
 {
     const double mass =
         c->number[c->m->extent_at
                   + 1]; /* none where drivers move springs alone: then nothing measures errors */
     return mass > 0.0 && c->tolerance > 0.0 && !c->friction.slides && c->s.head[S_HELD] < MOST_HELD
-           && allows_explicit(c);
+           && allows_explicit(c, but_forces);
 }
+
+/* They do where a law of a damper has a kink, too, which steps end at. */
+static int knows_rates(const context *c) { return knows_rates_of_forces(c, 1); }
+
+/* Whether steps may be explicit now. */
+HM_SELDOM static int may_step_explicitly(const context *c) { return knows_rates_of_forces(c, 0); }
 
 /* Whether the state is the end of an explicit step. */
 static int ends_explicitly(const context *c)
