@@ -38,7 +38,7 @@ center_of_mass = [0.03, 0.05]
 orientation = 0.3
 velocity = [0.1, -0.2]
 angular_velocity = 1.7
-points = { tip = [0.3, -0.1], ax = [1, 0], ay = [0, 1] }
+points = { tip = [0.3, -0.1], ux = [1, 0], uy = [0, 1] }
 """,
     3: """
 name = "free"
@@ -52,7 +52,7 @@ center_of_mass = [0.03, 0.05, -0.02]
 orientation = { rotation_vector = [0.2, -0.3, 0.4] }
 velocity = [0.1, -0.2, 0.3]
 angular_velocity = [1.0, -0.5, 0.7]
-points = { tip = [0.3, -0.1, 0.2], ax = [1, 0, 0], ay = [0, 1, 0], az = [0, 0, 1] }
+points = { tip = [0.3, -0.1, 0.2], ux = [1, 0, 0], uy = [0, 1, 0], uz = [0, 0, 1] }
 """,
 }
 FORCE, MOMENT = np.array([1.3, -0.7, 0.9]), np.array([0.4, -0.7, 1.1])
@@ -66,7 +66,7 @@ def loaded(dimension: int, load: str, h: float, stop: float = 2.0) -> HalfSteps:
 
 def directors(run: HalfSteps, dimension: int) -> Array:
     """Axes of the body, shape (n, axis, component)."""
-    axes = [vector(run, f"A.a{axis}.", AXES[dimension]) for axis in AXES[dimension]]
+    axes = [vector(run, f"A.u{axis}.", AXES[dimension]) for axis in AXES[dimension]]
     return np.stack(axes, axis=1) - vector(run, "A.", AXES[dimension])[:, np.newaxis]
 
 

@@ -185,11 +185,16 @@ class Law:
         return " + ".join(texts), " + ".join(codes)
 
 
+SMALLEST = 5e-324
+"""In the place of 0, which rounding may make of a place at its switch: x log(x) goes to 0."""
+
+
 def compiled(code: str, quantities: Sequence[str]) -> Callable[..., Any]:
     """Function of t, the quantities and S of a Python expression with names of a scene."""
     for name in sorted(quantities, key=len, reverse=True):
         code = code.replace(name, name.replace(".", "_"))
-    names = {x: getattr(np, x) for x in ("sin", "cos", "sqrt", "log", "abs")}
+    names = {x: getattr(np, x) for x in ("sin", "cos", "sqrt", "abs")}
+    names["log"] = lambda x: np.log(x or SMALLEST)
     arguments = ", ".join(["t", *(x.replace(".", "_") for x in quantities), "S"])
     return eval(f"lambda {arguments}: {code}", names)
 
