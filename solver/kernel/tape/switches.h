@@ -195,11 +195,22 @@ static int has_left(int kind, double g, double side, int direction)
     return kind == SWITCH_SIGN ? side > 0.0 && g < 0.0 : g < side;
 }
 
-/* First double in (a, b] at which it has left, if it has at b. */
+/* First double in (a, b] at which it has left, if it has at b. A line through both ends, as which
+   clocks go, leads there but for round-off; halves do the rest. */
 HM_SELDOM static double first_left(const context *c, const switch_place *x, double side,
                                    int direction, double a, double b)
 {
-    if (!has_left(x->kind, argument_at(c, x, b), side, direction)) return INFINITY;
+    const double at_b = argument_at(c, x, b);
+    if (!has_left(x->kind, at_b, side, direction)) return INFINITY;
+    const double at_a = argument_at(c, x, a),
+                 level = x->kind == SWITCH_LEVEL ? side + (at_b > side) : 0.0,
+                 guess = a + (level - at_a) / (at_b - at_a) * (b - a),
+                 around = 1e-15 * (fabs(a) + fabs(b)), near[] = {guess - around, guess + around};
+    for (int i = 0; i < 2 && direction != ANYWHERE; i++) {
+        if (!(near[i] > a && near[i] < b)) continue;
+        if (has_left(x->kind, argument_at(c, x, near[i]), side, direction)) b = near[i];
+        else a = near[i];
+    }
     for (;;) {
         const double middle = a + 0.5 * (b - a);
         if (!(middle > a && middle < b)) return b;
