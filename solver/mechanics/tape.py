@@ -234,6 +234,12 @@ class Tape:
         if motion is Motion.WITH_QUANTITIES:
             self._switch(kink.operation, Segment.LAWS, motion)
 
+    def add_clock(self, clock: Number) -> int:
+        """Add the switch that a clock ticks by, whatever the number of others; return its side."""
+        whole = operate("floor", clock)
+        assert isinstance(whole, Expr)  # it goes with the time
+        return self._switch(whole, Segment.LAWS, Motion.WITH_TIME)[0].side
+
     def _switch(self, number: Expr, wanted: Segment, motion: Motion) -> tuple[Switch, bool]:
         """Return the switch of an operation, and whether it has the opposite sign."""
         kind = SWITCH_LEVEL if number.op in ("floor", "ceil", "mod", "spline") else SWITCH_SIGN
@@ -371,9 +377,7 @@ class Numbers:
 
     def tick(self, held: Held) -> tuple[int, int]:
         """Return where the next value of a sampled state lies, and the side of its clock."""
-        clock = operate("floor", held.clock)
-        assert isinstance(clock, Expr)  # it goes with the time
-        return self.place(held.next, Segment.TICKS), self.tape.compile(clock)[0]
+        return self.place(held.next, Segment.TICKS), self.tape.add_clock(held.clock)
 
     def operations(self, value: Number, n_leaves: int) -> Operations:
         """Return the operations of a formula over leaves ``#0``, ``#1``, ..."""

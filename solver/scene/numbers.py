@@ -208,10 +208,10 @@ class NumberChecks:
         if kind == "state" and (own := self.known.offered.get(name)):
             known = ", ".join(f"{name}.{offer.word}" for offer in own)
             return f"'{name}' has no value of its own", f"known: {known}"
-        is_state = self.known.quantities.get(name) == "state" or (kind == "state")
-        if name == "t" or kind == "input" or is_state:
-            what = f"the {'state' if is_state else 'input'} '{name}'"
-            what = "the time 't'" if name == "t" else what
+        if self.known.quantities.get(name) == "state":
+            kind = "state"
+        if name == "t" or kind in ("input", "state"):
+            what = "the time 't'" if name == "t" else f"the {kind} '{name}'"
             if place.time:
                 return None
             if place.levels or place.own:

@@ -305,3 +305,20 @@ def test_a_next_value_that_is_no_number_ends_the_run_with_a_sentence() -> None:
     text = COUNTERS.replace('"count + 1"', '"count + 1 + 1e-30/(3 - count)"')
     with pytest.raises(solver.StepError, match="state 'count': its next value is not a finite"):
         solver.simulate(solver.loads(text), stop_time=1.0, step_size=0.1, outputs=["count"])
+
+
+def test_a_next_value_that_is_no_number_at_the_start_is_told_with_its_state() -> None:
+    text = COUNTERS.replace('"count + 1"', '"sqrt(t - 1)"')
+    with pytest.raises(SceneError, match=r"states\.count: its next value is not a finite number"):
+        solver.assemble(solver.loads(text))
+
+
+def test_clocks_are_kept_however_many_there_are() -> None:
+    """A formula may have 64 switches that steps end at; what ticks is no matter of accuracy."""
+    clocks = [
+        f's{k} = {{ update = "s{k} + 1", sample_time = {0.01 * (k + 1)} }}' for k in range(70)
+    ]
+    text = "\n".join([COUNTERS.partition("[inputs]")[0], "[states]", *clocks])
+    names = [f"s{k}" for k in range(70)]
+    found = solver.simulate(solver.loads(text), stop_time=0.995, step_size=0.199, outputs=names)
+    assert [found[x][-1] for x in names] == [1 + int(0.995 / (0.01 * (k + 1))) for k in range(70)]

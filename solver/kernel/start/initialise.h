@@ -396,7 +396,8 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (watch && watch->is_stopped) return HOLONOM_STOPPED;
     settle_sides(&c, head[S_TIME], 0); /* where it has come to */
-    if (!status) status = tick(&c, head[S_TIME], NULL, 0);
+    if (!status && (status = tick(&c, head[S_TIME], NULL, 0)))
+        head[S_AT_FAULT] = c.step.at_fault;
     if (!status) status = first_multipliers(&c);
     if (!status && fastest_rate(&c, c.s.v) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;
